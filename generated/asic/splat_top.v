@@ -501,60 +501,60 @@ module splat_normalizer (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_w28_fraction16_iunsigned to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_w52_fraction40_iunsigned to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[47:24]),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[71:48]),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit (
+    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_attribute_0), .y(to_float_s40q27_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy2 (
+    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_attribute_1), .y(to_float_s40q27_f24_ftz_unit_copy2_y)
     );
 
-    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy3 (
+    float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(in_attribute_2), .y(to_float_s40q27_f24_ftz_unit_copy3_y)
     );
 
-    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit (
+    float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(to_fixed_f24_ftz_s13q12_unit_y)
     );
 
-    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy2 (
+    float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .y(to_fixed_f24_ftz_s13q12_unit_copy2_y)
     );
 
-    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy3 (
+    float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
         .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
     );
@@ -614,7 +614,7 @@ endmodule
 // width = 13
 // fraction = 12
 // integer = signed
-module float_to_fixed_w13_fraction12_isigned (
+module float_to_fixed_s3_f24ftz_w13_f12_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -660,7 +660,7 @@ endmodule
 // width = 40
 // fraction = 27
 // integer = signed
-module float_from_fixed_s4_w40_fraction27_isigned (
+module float_from_fixed_s4_f24ftz_w40_f27_signed (
     input  wire clk,
     input  wire enable,
     input  wire [39:0] a,
@@ -738,7 +738,7 @@ endmodule
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_w52_fraction40_iunsigned (
+module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [51:0] a,
@@ -815,7 +815,7 @@ endmodule
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_w28_fraction16_iunsigned (
+module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [27:0] a,
@@ -1094,7 +1094,7 @@ module splat_accumulator (
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
-    stream_fifo_d64_w10 places (
+    stream_fifo_d64_w10_distributed places (
         .clk(clk), .rst(rst),
         .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
@@ -1426,7 +1426,8 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 10
-module stream_fifo_d64_w10 (
+// storage = distributed
+module stream_fifo_d64_w10_distributed (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1559,20 +1560,20 @@ module splat_weighting (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    integer_mul_s3_au16_bu24 mul_u16_u24_unit (
+    integer_mul_s3_u16_u24 mul_u16_u24_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .b(in_depth), .y(mul_u16_u24_unit_y)
     );
 
-    integer_mul_s2_as17_bs12 mul_s17_s12_unit (
+    integer_mul_s2_s17_s12 mul_s17_s12_unit (
         .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
     );
 
-    integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy2 (
+    integer_mul_s2_s17_s12 mul_s17_s12_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_1),
         .y(mul_s17_s12_unit_copy2_y)
     );
 
-    integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy3 (
+    integer_mul_s2_s17_s12 mul_s17_s12_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_2),
         .y(mul_s17_s12_unit_copy3_y)
     );
@@ -1623,7 +1624,7 @@ endmodule
 // stages = 2
 // a = s17
 // b = s12
-module integer_mul_s2_as17_bs12 (
+module integer_mul_s2_s17_s12 (
     input  wire clk,
     input  wire enable,
     input  wire [16:0] a,
@@ -1646,7 +1647,7 @@ endmodule
 // stages = 3
 // a = u16
 // b = u24
-module integer_mul_s3_au16_bu24 (
+module integer_mul_s3_u16_u24 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2253,62 +2254,62 @@ module splat_evaluation (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_58_d2), .y(mul_s16_s16_unit_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy2 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_60_d2),
         .y(mul_s16_s16_unit_copy2_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy3 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_63_d2),
         .y(mul_s16_s16_unit_copy3_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy4 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_65_d2),
         .y(mul_s16_s16_unit_copy4_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy5 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_69_d2),
         .y(mul_s16_s16_unit_copy5_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy6 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_71_d2),
         .y(mul_s16_s16_unit_copy6_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy7 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_340_d1), .b(reinterpret_340_d1),
         .y(mul_s16_s16_unit_copy7_y)
     );
 
-    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy8 (
+    integer_mul_s2_s16_s16 mul_s16_s16_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_348_d1), .b(reinterpret_348_d1),
         .y(mul_s16_s16_unit_copy8_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit (
         .clk(clk), .enable(queue_in_ready), .a(bits_182_d1), .b(bits_182_d1), .y(mul_u18_u18_unit_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy2 (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(bits_185_d1), .b(bits_185_d1), .y(mul_u18_u18_unit_copy2_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy3 (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(bits_188_d1), .b(bits_188_d1), .y(mul_u18_u18_unit_copy3_y)
     );
 
-    integer_mul_s2_au18_bu16 mul_u18_u16_unit (
+    integer_mul_s2_u18_u16 mul_u18_u16_unit (
         .clk(clk), .enable(queue_in_ready), .a(bits_356_d1), .b(filter_scale), .y(mul_u18_u16_unit_y)
     );
 
-    float_table interpolate_8_8_16_unit (
+    float_table_s4_i8_f8 interpolate_8_8_16_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_365_d1), .y(interpolate_8_8_16_unit_y)
     );
 
@@ -2540,7 +2541,7 @@ endmodule
 // stages = 4
 // index_bits = 8
 // fraction_bits = 8
-module float_table (
+module float_table_s4_i8_f8 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2836,7 +2837,7 @@ endmodule
 // stages = 2
 // a = u18
 // b = u16
-module integer_mul_s2_au18_bu16 (
+module integer_mul_s2_u18_u16 (
     input  wire clk,
     input  wire enable,
     input  wire [17:0] a,
@@ -2859,7 +2860,7 @@ endmodule
 // stages = 2
 // a = u18
 // b = u18
-module integer_mul_s2_au18_bu18 (
+module integer_mul_s2_u18_u18 (
     input  wire clk,
     input  wire enable,
     input  wire [17:0] a,
@@ -2881,7 +2882,7 @@ endmodule
 // stages = 2
 // a = s16
 // b = s16
-module integer_mul_s2_as16_bs16 (
+module integer_mul_s2_s16_s16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3836,7 +3837,7 @@ module splat_heap (
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_level0 stage_0 (
+    splat_heap_stage_l0 stage_0 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
@@ -3853,7 +3854,7 @@ module splat_heap (
         .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
-    splat_heap_stage_level2 stage_2 (
+    splat_heap_stage_l2 stage_2 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
@@ -3872,7 +3873,7 @@ module splat_heap (
         .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
-    splat_heap_stage_level4 stage_4 (
+    splat_heap_stage_l4 stage_4 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
@@ -3891,7 +3892,7 @@ module splat_heap (
         .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
     );
 
-    splat_heap_stage_level6 stage_6 (
+    splat_heap_stage_l6 stage_6 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
@@ -3910,7 +3911,7 @@ module splat_heap (
         .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
     );
 
-    splat_heap_stage_level8 stage_8 (
+    splat_heap_stage_l8 stage_8 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
@@ -3965,7 +3966,7 @@ endmodule
 // level = 8
 // levels = 10
 // interval = 2
-module splat_heap_stage_level8 (
+module splat_heap_stage_l8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4120,7 +4121,7 @@ endmodule
 // level = 6
 // levels = 10
 // interval = 2
-module splat_heap_stage_level6 (
+module splat_heap_stage_l6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4305,7 +4306,7 @@ endmodule
 // level = 4
 // levels = 10
 // interval = 2
-module splat_heap_stage_level4 (
+module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4490,7 +4491,7 @@ endmodule
 // level = 2
 // levels = 10
 // interval = 2
-module splat_heap_stage_level2 (
+module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4675,7 +4676,7 @@ endmodule
 // level = 0
 // levels = 10
 // interval = 2
-module splat_heap_stage_level0 (
+module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5618,113 +5619,113 @@ module splat_setup (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit (
+    float_mul_s5_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit_copy2 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit_copy3 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit_copy4 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit_copy5 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s5 mul_f24_ftz_unit_copy6 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_add add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add add_f24_ftz_unit_copy4 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
-    float_add add_f24_ftz_unit_copy5 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
     );
 
-    float_sqrt sqrt_f24_ftz_unit (
+    float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
-    float_min min_f24_ftz_unit (
+    float_min_s2_f24ftz min_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
     );
 
-    float_max max_f24_ftz_unit (
+    float_max_s2_f24ftz max_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
         .y(max_f24_ftz_unit_y)
     );
 
-    float_max max_f24_ftz_unit_copy2 (
+    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
     );
 
-    float_to_fixed_w21_fraction8_iunsigned to_fixed_f24_ftz_u21q8_unit (
+    float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
-    float_le le_f24_ftz_unit (
+    float_le_s2_f24ftz le_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w27_fraction13_isigned to_fixed_f24_ftz_s27q13_unit (
+    float_to_fixed_s3_f24ftz_w27_f13_signed to_fixed_f24_ftz_s27q13_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s27q13_unit_a),
         .y(to_fixed_f24_ftz_s27q13_unit_y)
     );
 
-    float_to_fixed_w17_fraction16_isigned to_fixed_f24_ftz_s17q16_unit (
+    float_to_fixed_s3_f24ftz_w17_f16_signed to_fixed_f24_ftz_s17q16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s17q16_unit_a),
         .y(to_fixed_f24_ftz_s17q16_unit_y)
     );
 
-    float_to_fixed_w21_fraction20_isigned to_fixed_f24_ftz_s21q20_unit (
+    float_to_fixed_s3_f24ftz_w21_f20_signed to_fixed_f24_ftz_s21q20_unit (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_518_d1), .y(to_fixed_f24_ftz_s21q20_unit_y)
     );
 
-    float_to_fixed_w24_fraction24_iunsigned to_fixed_f24_ftz_u24q24_unit (
+    float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
         .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
@@ -6298,7 +6299,7 @@ endmodule
 // width = 24
 // fraction = 24
 // integer = unsigned
-module float_to_fixed_w24_fraction24_iunsigned (
+module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6342,7 +6343,7 @@ endmodule
 // width = 21
 // fraction = 20
 // integer = signed
-module float_to_fixed_w21_fraction20_isigned (
+module float_to_fixed_s3_f24ftz_w21_f20_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6387,7 +6388,7 @@ endmodule
 // width = 17
 // fraction = 16
 // integer = signed
-module float_to_fixed_w17_fraction16_isigned (
+module float_to_fixed_s3_f24ftz_w17_f16_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6432,7 +6433,7 @@ endmodule
 // width = 27
 // fraction = 13
 // integer = signed
-module float_to_fixed_w27_fraction13_isigned (
+module float_to_fixed_s3_f24ftz_w27_f13_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6474,7 +6475,7 @@ endmodule
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
-module float_le (
+module float_le_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6504,7 +6505,7 @@ endmodule
 // width = 21
 // fraction = 8
 // integer = unsigned
-module float_to_fixed_w21_fraction8_iunsigned (
+module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6545,7 +6546,7 @@ endmodule
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_max (
+module float_max_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6573,7 +6574,7 @@ endmodule
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_min (
+module float_min_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6601,7 +6602,7 @@ endmodule
 // Floating-point square root, correctly rounded.
 // stages = 18
 // format = f24-ftz
-module float_sqrt (
+module float_sqrt_s18_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6826,7 +6827,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
-module float_mul_s5 (
+module float_mul_s5_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6893,7 +6894,7 @@ endmodule
 // Floating-point reciprocal, correctly rounded.
 // stages = 20
 // format = f24-ftz
-module float_recip (
+module float_recip_s20_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7341,42 +7342,42 @@ module splat_transform (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_mul_s4 mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4 mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_add add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
     );
@@ -7566,7 +7567,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 2
 // format = f24-ftz
-module float_lt (
+module float_lt_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7593,7 +7594,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f24-ftz
-module float_add (
+module float_add_s6_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7699,7 +7700,7 @@ endmodule
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
-module float_mul_s4 (
+module float_mul_s4_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,

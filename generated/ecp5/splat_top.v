@@ -762,212 +762,212 @@ module splat_normalizer (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_formatf24ftz_w28_fraction16 to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf24ftz_w52_fraction40 to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy13 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
         .y(mul_f24_ftz_unit_copy13_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy14 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
         .y(mul_f24_ftz_unit_copy14_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[39:24]), .y(convert_f16_f24_ftz_unit_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy2 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[55:40]),
         .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy3 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[71:56]),
         .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy4 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[87:72]),
         .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy5 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[103:88]),
         .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy6 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[119:104]),
         .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy7 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[135:120]),
         .y(convert_f16_f24_ftz_unit_copy7_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy8 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[151:136]),
         .y(convert_f16_f24_ftz_unit_copy8_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy9 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[167:152]),
         .y(convert_f16_f24_ftz_unit_copy9_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy10 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[183:168]),
         .y(convert_f16_f24_ftz_unit_copy10_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy11 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[199:184]),
         .y(convert_f16_f24_ftz_unit_copy11_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy12 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[215:200]),
         .y(convert_f16_f24_ftz_unit_copy12_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy13 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[231:216]),
         .y(convert_f16_f24_ftz_unit_copy13_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy2 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy3 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
         .y(convert_f24_ftz_f16_unit_copy3_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy4 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_y),
         .y(convert_f24_ftz_f16_unit_copy4_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy5 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_y),
         .y(convert_f24_ftz_f16_unit_copy5_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy6 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y),
         .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy7 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_y),
         .y(convert_f24_ftz_f16_unit_copy7_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy8 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy9_y),
         .y(convert_f24_ftz_f16_unit_copy8_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy9 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y),
         .y(convert_f24_ftz_f16_unit_copy9_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy10 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy11_y),
         .y(convert_f24_ftz_f16_unit_copy10_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy11 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy12_y),
         .y(convert_f24_ftz_f16_unit_copy11_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy12 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy13_y),
         .y(convert_f24_ftz_f16_unit_copy12_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy13 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy14_y),
         .y(convert_f24_ftz_f16_unit_copy13_y)
     );
@@ -1014,7 +1014,7 @@ endmodule
 // stages = 3
 // from = f24-ftz
 // to = f16
-module float_convert_ff24ftz_tf16 (
+module float_convert_s3_f24ftz_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -1066,7 +1066,7 @@ endmodule
 // stages = 3
 // from = f16
 // to = f24-ftz
-module float_convert_ff16_tf24ftz (
+module float_convert_s3_f16_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -1124,7 +1124,7 @@ endmodule
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
+module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [51:0] a,
@@ -1201,7 +1201,7 @@ endmodule
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
+module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [27:0] a,
@@ -1593,7 +1593,7 @@ module splat_accumulator (
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
-    stream_fifo_d64_w10 places (
+    stream_fifo_d64_w10_distributed places (
         .clk(clk), .rst(rst),
         .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
@@ -1617,55 +1617,55 @@ module splat_accumulator (
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
-    float_add_s5_ff16 add_attribute_0 (
+    float_add_s5_f16 add_attribute_0 (
         .clk(clk), .enable(1'd1), .a(stored[223:208]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
     );
 
-    float_add_s5_ff16 add_attribute_1 (
+    float_add_s5_f16 add_attribute_1 (
         .clk(clk), .enable(1'd1), .a(stored[207:192]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
     );
 
-    float_add_s5_ff16 add_attribute_2 (
+    float_add_s5_f16 add_attribute_2 (
         .clk(clk), .enable(1'd1), .a(stored[191:176]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
     );
 
-    float_add_s5_ff16 add_attribute_3 (
+    float_add_s5_f16 add_attribute_3 (
         .clk(clk), .enable(1'd1), .a(stored[175:160]), .b(sample_3_attribute_3), .y(add_attribute_3_y)
     );
 
-    float_add_s5_ff16 add_attribute_4 (
+    float_add_s5_f16 add_attribute_4 (
         .clk(clk), .enable(1'd1), .a(stored[159:144]), .b(sample_3_attribute_4), .y(add_attribute_4_y)
     );
 
-    float_add_s5_ff16 add_attribute_5 (
+    float_add_s5_f16 add_attribute_5 (
         .clk(clk), .enable(1'd1), .a(stored[143:128]), .b(sample_3_attribute_5), .y(add_attribute_5_y)
     );
 
-    float_add_s5_ff16 add_attribute_6 (
+    float_add_s5_f16 add_attribute_6 (
         .clk(clk), .enable(1'd1), .a(stored[127:112]), .b(sample_3_attribute_6), .y(add_attribute_6_y)
     );
 
-    float_add_s5_ff16 add_attribute_7 (
+    float_add_s5_f16 add_attribute_7 (
         .clk(clk), .enable(1'd1), .a(stored[111:96]), .b(sample_3_attribute_7), .y(add_attribute_7_y)
     );
 
-    float_add_s5_ff16 add_attribute_8 (
+    float_add_s5_f16 add_attribute_8 (
         .clk(clk), .enable(1'd1), .a(stored[95:80]), .b(sample_3_attribute_8), .y(add_attribute_8_y)
     );
 
-    float_add_s5_ff16 add_attribute_9 (
+    float_add_s5_f16 add_attribute_9 (
         .clk(clk), .enable(1'd1), .a(stored[79:64]), .b(sample_3_attribute_9), .y(add_attribute_9_y)
     );
 
-    float_add_s5_ff16 add_attribute_10 (
+    float_add_s5_f16 add_attribute_10 (
         .clk(clk), .enable(1'd1), .a(stored[63:48]), .b(sample_3_attribute_10), .y(add_attribute_10_y)
     );
 
-    float_add_s5_ff16 add_attribute_11 (
+    float_add_s5_f16 add_attribute_11 (
         .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_11), .y(add_attribute_11_y)
     );
 
-    float_add_s5_ff16 add_attribute_12 (
+    float_add_s5_f16 add_attribute_12 (
         .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_12), .y(add_attribute_12_y)
     );
 
@@ -1961,7 +1961,7 @@ endmodule
 // Floating-point sum.
 // stages = 5
 // format = f16
-module float_add_s5_ff16 (
+module float_add_s5_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2173,7 +2173,8 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 10
-module stream_fifo_d64_w10 (
+// storage = distributed
+module stream_fifo_d64_w10_distributed (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -2351,76 +2352,76 @@ module splat_weighting (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
-    integer_mul mul_u16_u24_unit (
+    integer_mul_s3_u16_u24 mul_u16_u24_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit (
+    float_mul_s6_f16 mul_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_25_d4),
         .y(mul_f16_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy2 (
+    float_mul_s6_f16 mul_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_27_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy3 (
+    float_mul_s6_f16 mul_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_29_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy4 (
+    float_mul_s6_f16 mul_f16_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_31_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy5 (
+    float_mul_s6_f16 mul_f16_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_33_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy6 (
+    float_mul_s6_f16 mul_f16_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_35_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy7 (
+    float_mul_s6_f16 mul_f16_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_37_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy8 (
+    float_mul_s6_f16 mul_f16_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_39_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy9 (
+    float_mul_s6_f16 mul_f16_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_41_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy10 (
+    float_mul_s6_f16 mul_f16_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_43_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy11 (
+    float_mul_s6_f16 mul_f16_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_45_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy12 (
+    float_mul_s6_f16 mul_f16_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_47_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy13 (
+    float_mul_s6_f16 mul_f16_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_49_d4),
         .y(mul_f16_unit_copy13_y)
     );
@@ -2510,7 +2511,7 @@ endmodule
 // Floating-point product.
 // stages = 6
 // format = f16
-module float_mul_s6_ff16 (
+module float_mul_s6_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2617,7 +2618,7 @@ endmodule
 // stages = 3
 // a = u16
 // b = u24
-module integer_mul (
+module integer_mul_s3_u16_u24 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2645,7 +2646,7 @@ endmodule
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s4_formatf16_w16_fraction16 (
+module float_from_fixed_s4_f16_w16_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3051,132 +3052,132 @@ module splat_evaluation (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit_copy2 (
+    float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(neg_18_d3),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(neg_23_d3),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y),
         .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}), .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}), .y(add_f24_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy6 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy7 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy8_y),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy8 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
         .y(add_f24_ftz_unit_copy8_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[47:24]),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[71:48]),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[95:72]),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[119:96]),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[143:120]),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_y), .b(add_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
-    float_div div_f24_ftz_unit (
+    float_div_s20_f24ftz div_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy9_y),
         .y(div_f24_ftz_unit_y)
     );
 
-    float_min min_f24_ftz_unit (
+    float_min_s2_f24ftz min_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(select_53), .b(delay_26_from_0_out), .y(min_f24_ftz_unit_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w16_fraction16 to_fixed_f24_ftz_u16q16_unit (
+    float_to_fixed_s3_f24ftz_w16_f16_unsigned to_fixed_f24_ftz_u16q16_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
     );
 
-    float_table interpolate_8_8_16_unit (
+    float_table_s4_i8_f8 interpolate_8_8_16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
@@ -3271,7 +3272,7 @@ endmodule
 // stages = 4
 // index_bits = 8
 // fraction_bits = 8
-module float_table (
+module float_table_s4_i8_f8 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3569,7 +3570,7 @@ endmodule
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_to_fixed_w16_fraction16 (
+module float_to_fixed_s3_f24ftz_w16_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -3609,7 +3610,7 @@ endmodule
 // Floating-point quotient, correctly rounded.
 // stages = 20
 // format = f24-ftz
-module float_div (
+module float_div_s20_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -3904,7 +3905,7 @@ endmodule
 // width = 10
 // fraction = 1
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
+module float_from_fixed_s3_f24ftz_w10_f1_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [9:0] a,
@@ -5040,7 +5041,7 @@ module splat_heap (
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_level0 stage_0 (
+    splat_heap_stage_l0 stage_0 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
@@ -5057,7 +5058,7 @@ module splat_heap (
         .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
-    splat_heap_stage_level2 stage_2 (
+    splat_heap_stage_l2 stage_2 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
@@ -5076,7 +5077,7 @@ module splat_heap (
         .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
-    splat_heap_stage_level4 stage_4 (
+    splat_heap_stage_l4 stage_4 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
@@ -5095,7 +5096,7 @@ module splat_heap (
         .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
     );
 
-    splat_heap_stage_level6 stage_6 (
+    splat_heap_stage_l6 stage_6 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
@@ -5114,7 +5115,7 @@ module splat_heap (
         .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
     );
 
-    splat_heap_stage_level8 stage_8 (
+    splat_heap_stage_l8 stage_8 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
@@ -5133,7 +5134,7 @@ module splat_heap (
         .below_entry(stage_8_below_entry), .below_rival(stage_8_below_rival), .below_row(stage_8_below_row)
     );
 
-    splat_heap_stage_level10 stage_10 (
+    splat_heap_stage_l10 stage_10 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
@@ -5190,7 +5191,7 @@ endmodule
 // level = 10
 // levels = 12
 // interval = 4
-module splat_heap_stage_level10 (
+module splat_heap_stage_l10 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5388,7 +5389,7 @@ endmodule
 // level = 8
 // levels = 12
 // interval = 4
-module splat_heap_stage_level8 (
+module splat_heap_stage_l8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5615,7 +5616,7 @@ endmodule
 // level = 6
 // levels = 12
 // interval = 4
-module splat_heap_stage_level6 (
+module splat_heap_stage_l6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5814,7 +5815,7 @@ endmodule
 // level = 4
 // levels = 12
 // interval = 4
-module splat_heap_stage_level4 (
+module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -6013,7 +6014,7 @@ endmodule
 // level = 2
 // levels = 12
 // interval = 4
-module splat_heap_stage_level2 (
+module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -6212,7 +6213,7 @@ endmodule
 // level = 0
 // levels = 12
 // interval = 4
-module splat_heap_stage_level0 (
+module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -6933,99 +6934,99 @@ module splat_setup (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit (
+    float_mul_s5_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
     );
 
-    float_sqrt sqrt_f24_ftz_unit (
+    float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
-    float_min min_f24_ftz_unit (
+    float_min_s2_f24ftz min_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
     );
 
-    float_max max_f24_ftz_unit (
+    float_max_s2_f24ftz max_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
         .y(max_f24_ftz_unit_y)
     );
 
-    float_max max_f24_ftz_unit_copy2 (
+    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
     );
 
-    float_to_fixed_w21_fraction8 to_fixed_f24_ftz_u21q8_unit (
+    float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
-    float_le le_f24_ftz_unit (
+    float_le_s2_f24ftz le_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w24_fraction24 to_fixed_f24_ftz_u24q24_unit (
+    float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
         .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
@@ -7382,7 +7383,7 @@ endmodule
 // width = 24
 // fraction = 24
 // integer = unsigned
-module float_to_fixed_w24_fraction24 (
+module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7423,7 +7424,7 @@ endmodule
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
-module float_le (
+module float_le_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7453,7 +7454,7 @@ endmodule
 // width = 21
 // fraction = 8
 // integer = unsigned
-module float_to_fixed_w21_fraction8 (
+module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7494,7 +7495,7 @@ endmodule
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_max (
+module float_max_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7522,7 +7523,7 @@ endmodule
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_min (
+module float_min_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7550,7 +7551,7 @@ endmodule
 // Floating-point square root, correctly rounded.
 // stages = 18
 // format = f24-ftz
-module float_sqrt (
+module float_sqrt_s18_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7775,7 +7776,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
-module float_mul_s5_ff24ftz (
+module float_mul_s5_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7842,7 +7843,7 @@ endmodule
 // Floating-point reciprocal, correctly rounded.
 // stages = 20
 // format = f24-ftz
-module float_recip (
+module float_recip_s20_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -8395,42 +8396,42 @@ module splat_transform (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
     );
@@ -8684,7 +8685,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 2
 // format = f24-ftz
-module float_lt (
+module float_lt_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -8711,7 +8712,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f24-ftz
-module float_add_s6_ff24ftz (
+module float_add_s6_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -8817,7 +8818,7 @@ endmodule
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
-module float_mul_s4_ff24ftz (
+module float_mul_s4_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,

@@ -769,212 +769,212 @@ module splat_normalizer (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_formatf32ftz_w28_fraction16 to_float_u28q16_f32_ftz_unit (
+    float_from_fixed_s3_f32ftz_w28_f16_unsigned to_float_u28q16_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f32_ftz_unit_y)
     );
 
-    float_recip recip_f32_ftz_unit (
+    float_recip_s28_f32ftz recip_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f32_ftz_unit_y), .y(recip_f32_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf32ftz_w52_fraction40 to_float_u52q40_f32_ftz_unit (
+    float_from_fixed_s3_f32ftz_w52_f40_unsigned to_float_u52q40_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(delay_28_from_0_out[31:0]),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy5_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy9_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy10_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[47:32]), .y(convert_f16_f32_ftz_unit_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy2 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[63:48]),
         .y(convert_f16_f32_ftz_unit_copy2_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy3 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[79:64]),
         .y(convert_f16_f32_ftz_unit_copy3_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy4 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[95:80]),
         .y(convert_f16_f32_ftz_unit_copy4_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy5 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[111:96]),
         .y(convert_f16_f32_ftz_unit_copy5_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy6 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[127:112]),
         .y(convert_f16_f32_ftz_unit_copy6_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy7 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[143:128]),
         .y(convert_f16_f32_ftz_unit_copy7_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy8 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[159:144]),
         .y(convert_f16_f32_ftz_unit_copy8_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy9 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[175:160]),
         .y(convert_f16_f32_ftz_unit_copy9_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy10 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[191:176]),
         .y(convert_f16_f32_ftz_unit_copy10_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy11 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[207:192]),
         .y(convert_f16_f32_ftz_unit_copy11_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy12 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[223:208]),
         .y(convert_f16_f32_ftz_unit_copy12_y)
     );
 
-    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy13 (
+    float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[239:224]),
         .y(convert_f16_f32_ftz_unit_copy13_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_y), .y(convert_f32_ftz_f16_unit_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy2 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_y),
         .y(convert_f32_ftz_f16_unit_copy2_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy3 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y),
         .y(convert_f32_ftz_f16_unit_copy3_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy4 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy5_y),
         .y(convert_f32_ftz_f16_unit_copy4_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy5 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy6_y),
         .y(convert_f32_ftz_f16_unit_copy5_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy6 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y),
         .y(convert_f32_ftz_f16_unit_copy6_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy7 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy8_y),
         .y(convert_f32_ftz_f16_unit_copy7_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy8 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy9_y),
         .y(convert_f32_ftz_f16_unit_copy8_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy9 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y),
         .y(convert_f32_ftz_f16_unit_copy9_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy10 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy11_y),
         .y(convert_f32_ftz_f16_unit_copy10_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy11 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy12_y),
         .y(convert_f32_ftz_f16_unit_copy11_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy12 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_y),
         .y(convert_f32_ftz_f16_unit_copy12_y)
     );
 
-    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy13 (
+    float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy14_y),
         .y(convert_f32_ftz_f16_unit_copy13_y)
     );
@@ -1021,7 +1021,7 @@ endmodule
 // stages = 3
 // from = f32-ftz
 // to = f16
-module float_convert_ff32ftz_tf16 (
+module float_convert_s3_f32ftz_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -1073,7 +1073,7 @@ endmodule
 // stages = 3
 // from = f16
 // to = f32-ftz
-module float_convert_ff16_tf32ftz (
+module float_convert_s3_f16_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -1131,7 +1131,7 @@ endmodule
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_formatf32ftz_w52_fraction40 (
+module float_from_fixed_s3_f32ftz_w52_f40_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [51:0] a,
@@ -1208,7 +1208,7 @@ endmodule
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_formatf32ftz_w28_fraction16 (
+module float_from_fixed_s3_f32ftz_w28_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [27:0] a,
@@ -1633,7 +1633,7 @@ module splat_accumulator (
         .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
     );
 
-    stream_fifo_d64_w11 places (
+    stream_fifo_d64_w11_distributed places (
         .clk(clk), .rst(rst),
         .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
@@ -1657,55 +1657,55 @@ module splat_accumulator (
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
-    float_add_s5_ff16 add_attribute_0 (
+    float_add_s5_f16 add_attribute_0 (
         .clk(clk), .enable(1'd1), .a(stored[223:208]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
     );
 
-    float_add_s5_ff16 add_attribute_1 (
+    float_add_s5_f16 add_attribute_1 (
         .clk(clk), .enable(1'd1), .a(stored[207:192]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
     );
 
-    float_add_s5_ff16 add_attribute_2 (
+    float_add_s5_f16 add_attribute_2 (
         .clk(clk), .enable(1'd1), .a(stored[191:176]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
     );
 
-    float_add_s5_ff16 add_attribute_3 (
+    float_add_s5_f16 add_attribute_3 (
         .clk(clk), .enable(1'd1), .a(stored[175:160]), .b(sample_3_attribute_3), .y(add_attribute_3_y)
     );
 
-    float_add_s5_ff16 add_attribute_4 (
+    float_add_s5_f16 add_attribute_4 (
         .clk(clk), .enable(1'd1), .a(stored[159:144]), .b(sample_3_attribute_4), .y(add_attribute_4_y)
     );
 
-    float_add_s5_ff16 add_attribute_5 (
+    float_add_s5_f16 add_attribute_5 (
         .clk(clk), .enable(1'd1), .a(stored[143:128]), .b(sample_3_attribute_5), .y(add_attribute_5_y)
     );
 
-    float_add_s5_ff16 add_attribute_6 (
+    float_add_s5_f16 add_attribute_6 (
         .clk(clk), .enable(1'd1), .a(stored[127:112]), .b(sample_3_attribute_6), .y(add_attribute_6_y)
     );
 
-    float_add_s5_ff16 add_attribute_7 (
+    float_add_s5_f16 add_attribute_7 (
         .clk(clk), .enable(1'd1), .a(stored[111:96]), .b(sample_3_attribute_7), .y(add_attribute_7_y)
     );
 
-    float_add_s5_ff16 add_attribute_8 (
+    float_add_s5_f16 add_attribute_8 (
         .clk(clk), .enable(1'd1), .a(stored[95:80]), .b(sample_3_attribute_8), .y(add_attribute_8_y)
     );
 
-    float_add_s5_ff16 add_attribute_9 (
+    float_add_s5_f16 add_attribute_9 (
         .clk(clk), .enable(1'd1), .a(stored[79:64]), .b(sample_3_attribute_9), .y(add_attribute_9_y)
     );
 
-    float_add_s5_ff16 add_attribute_10 (
+    float_add_s5_f16 add_attribute_10 (
         .clk(clk), .enable(1'd1), .a(stored[63:48]), .b(sample_3_attribute_10), .y(add_attribute_10_y)
     );
 
-    float_add_s5_ff16 add_attribute_11 (
+    float_add_s5_f16 add_attribute_11 (
         .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_11), .y(add_attribute_11_y)
     );
 
-    float_add_s5_ff16 add_attribute_12 (
+    float_add_s5_f16 add_attribute_12 (
         .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_12), .y(add_attribute_12_y)
     );
 
@@ -2003,7 +2003,7 @@ endmodule
 // Floating-point sum.
 // stages = 5
 // format = f16
-module float_add_s5_ff16 (
+module float_add_s5_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2215,7 +2215,8 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 11
-module stream_fifo_d64_w11 (
+// storage = distributed
+module stream_fifo_d64_w11_distributed (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -2393,76 +2394,76 @@ module splat_weighting (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
-    integer_mul mul_u16_u24_unit (
+    integer_mul_s3_u16_u24 mul_u16_u24_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit (
+    float_mul_s6_f16 mul_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_25_d4),
         .y(mul_f16_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy2 (
+    float_mul_s6_f16 mul_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_27_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy3 (
+    float_mul_s6_f16 mul_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_29_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy4 (
+    float_mul_s6_f16 mul_f16_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_31_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy5 (
+    float_mul_s6_f16 mul_f16_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_33_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy6 (
+    float_mul_s6_f16 mul_f16_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_35_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy7 (
+    float_mul_s6_f16 mul_f16_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_37_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy8 (
+    float_mul_s6_f16 mul_f16_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_39_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy9 (
+    float_mul_s6_f16 mul_f16_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_41_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy10 (
+    float_mul_s6_f16 mul_f16_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_43_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy11 (
+    float_mul_s6_f16 mul_f16_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_45_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy12 (
+    float_mul_s6_f16 mul_f16_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_47_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy13 (
+    float_mul_s6_f16 mul_f16_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_49_d4),
         .y(mul_f16_unit_copy13_y)
     );
@@ -2552,7 +2553,7 @@ endmodule
 // Floating-point product.
 // stages = 6
 // format = f16
-module float_mul_s6_ff16 (
+module float_mul_s6_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2659,7 +2660,7 @@ endmodule
 // stages = 3
 // a = u16
 // b = u24
-module integer_mul (
+module integer_mul_s3_u16_u24 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2687,7 +2688,7 @@ endmodule
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s4_formatf16_w16_fraction16 (
+module float_from_fixed_s4_f16_w16_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3100,132 +3101,132 @@ module splat_evaluation (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_formatf32ftz_w10_fraction1 to_float_u10q1_f32_ftz_unit (
+    float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf32ftz_w10_fraction1 to_float_u10q1_f32_ftz_unit_copy2 (
+    float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(neg_18_d3),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(neg_23_d3),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y),
         .b({~mul_f32_ftz_unit_copy2_y[31], mul_f32_ftz_unit_copy2_y[30:0]}), .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_y),
         .b({~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]}), .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(delay_14_from_0_out), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[31:0]),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[63:32]),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[95:64]),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[127:96]),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[159:128]),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[191:160]),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(add_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    float_div div_f32_ftz_unit (
+    float_div_s28_f32ftz div_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy9_y),
         .y(div_f32_ftz_unit_y)
     );
 
-    float_min min_f32_ftz_unit (
+    float_min_s2_f32ftz min_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(select_53), .b(delay_34_from_0_out), .y(min_f32_ftz_unit_y)
     );
 
-    float_lt lt_f32_ftz_unit (
+    float_lt_s2_f32ftz lt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_y), .b(32'h3f800000), .y(lt_f32_ftz_unit_y)
     );
 
-    float_to_fixed_w16_fraction16 to_fixed_f32_ftz_u16q16_unit (
+    float_to_fixed_s3_f32ftz_w16_f16_unsigned to_fixed_f32_ftz_u16q16_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_y), .y(to_fixed_f32_ftz_u16q16_unit_y)
     );
 
-    float_table interpolate_8_8_16_unit (
+    float_table_s4_i8_f8 interpolate_8_8_16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
@@ -3314,7 +3315,7 @@ endmodule
 // stages = 4
 // index_bits = 8
 // fraction_bits = 8
-module float_table (
+module float_table_s4_i8_f8 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3612,7 +3613,7 @@ endmodule
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_to_fixed_w16_fraction16 (
+module float_to_fixed_s3_f32ftz_w16_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -3654,7 +3655,7 @@ endmodule
 // Floating-point quotient, correctly rounded.
 // stages = 28
 // format = f32-ftz
-module float_div (
+module float_div_s28_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -4060,7 +4061,7 @@ endmodule
 // width = 10
 // fraction = 1
 // integer = unsigned
-module float_from_fixed_s3_formatf32ftz_w10_fraction1 (
+module float_from_fixed_s3_f32ftz_w10_f1_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [9:0] a,
@@ -5266,7 +5267,7 @@ module splat_heap (
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_level0 stage_0 (
+    splat_heap_stage_l0 stage_0 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
@@ -5283,7 +5284,7 @@ module splat_heap (
         .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
-    splat_heap_stage_level2 stage_2 (
+    splat_heap_stage_l2 stage_2 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
@@ -5302,7 +5303,7 @@ module splat_heap (
         .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
-    splat_heap_stage_level4 stage_4 (
+    splat_heap_stage_l4 stage_4 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
@@ -5321,7 +5322,7 @@ module splat_heap (
         .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
     );
 
-    splat_heap_stage_level6 stage_6 (
+    splat_heap_stage_l6 stage_6 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
@@ -5340,7 +5341,7 @@ module splat_heap (
         .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
     );
 
-    splat_heap_stage_level8 stage_8 (
+    splat_heap_stage_l8 stage_8 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
@@ -5359,7 +5360,7 @@ module splat_heap (
         .below_entry(stage_8_below_entry), .below_rival(stage_8_below_rival), .below_row(stage_8_below_row)
     );
 
-    splat_heap_stage_level10 stage_10 (
+    splat_heap_stage_l10 stage_10 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
@@ -5414,7 +5415,7 @@ endmodule
 // level = 10
 // levels = 12
 // interval = 2
-module splat_heap_stage_level10 (
+module splat_heap_stage_l10 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5569,7 +5570,7 @@ endmodule
 // level = 8
 // levels = 12
 // interval = 2
-module splat_heap_stage_level8 (
+module splat_heap_stage_l8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5754,7 +5755,7 @@ endmodule
 // level = 6
 // levels = 12
 // interval = 2
-module splat_heap_stage_level6 (
+module splat_heap_stage_l6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5939,7 +5940,7 @@ endmodule
 // level = 4
 // levels = 12
 // interval = 2
-module splat_heap_stage_level4 (
+module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -6124,7 +6125,7 @@ endmodule
 // level = 2
 // levels = 12
 // interval = 2
-module splat_heap_stage_level2 (
+module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -6309,7 +6310,7 @@ endmodule
 // level = 0
 // levels = 12
 // interval = 2
-module splat_heap_stage_level0 (
+module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -7053,283 +7054,283 @@ module splat_setup (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_recip recip_f32_ftz_unit (
+    float_recip_s28_f32ftz recip_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_a), .y(recip_f32_ftz_unit_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit (
+    float_mul_s6_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_a), .b(mul_f32_ftz_unit_b),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy2 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_a), .b(mul_f32_ftz_unit_copy2_b),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy3 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_a), .b(mul_f32_ftz_unit_copy3_b),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy4 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_a), .b(mul_f32_ftz_unit_copy4_b),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy5 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy5_a), .b(mul_f32_ftz_unit_copy5_b),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy6 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy6_a), .b(mul_f32_ftz_unit_copy6_b),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy7 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_a), .b(mul_f32_ftz_unit_copy7_b),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy8 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy8_a), .b(mul_f32_ftz_unit_copy8_b),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy9 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy9_a), .b(mul_f32_ftz_unit_copy9_b),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy10 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_a), .b(mul_f32_ftz_unit_copy10_b),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy11 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy11_a), .b(mul_f32_ftz_unit_copy11_b),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy12 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy12_a), .b(mul_f32_ftz_unit_copy12_b),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy13 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_a), .b(mul_f32_ftz_unit_copy13_b),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy14 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy14_a), .b(mul_f32_ftz_unit_copy14_b),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy15 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy15_a), .b(mul_f32_ftz_unit_copy15_b),
         .y(mul_f32_ftz_unit_copy15_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy16 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy16_a), .b(mul_f32_ftz_unit_copy16_b),
         .y(mul_f32_ftz_unit_copy16_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy17 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy17_a), .b(mul_f32_ftz_unit_copy17_b),
         .y(mul_f32_ftz_unit_copy17_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy18 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy18 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy18_a), .b(mul_f32_ftz_unit_copy18_b),
         .y(mul_f32_ftz_unit_copy18_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy19 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy19 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy19_a), .b(mul_f32_ftz_unit_copy19_b),
         .y(mul_f32_ftz_unit_copy19_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy20 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy20 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy20_a), .b(mul_f32_ftz_unit_copy20_b),
         .y(mul_f32_ftz_unit_copy20_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy21 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy21 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy21_a), .b(mul_f32_ftz_unit_copy21_b),
         .y(mul_f32_ftz_unit_copy21_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy22 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy22 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy22_a), .b(mul_f32_ftz_unit_copy22_b),
         .y(mul_f32_ftz_unit_copy22_y)
     );
 
-    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy23 (
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy23 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy23_a), .b(mul_f32_ftz_unit_copy23_b),
         .y(mul_f32_ftz_unit_copy23_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy9 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_a), .b(add_f32_ftz_unit_copy9_b),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy10 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_a), .b(add_f32_ftz_unit_copy10_b),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy11 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_a), .b(add_f32_ftz_unit_copy11_b),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy12 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_a), .b(add_f32_ftz_unit_copy12_b),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy13 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_a), .b(add_f32_ftz_unit_copy13_b),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy14 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_a), .b(add_f32_ftz_unit_copy14_b),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy15 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy15_a), .b(add_f32_ftz_unit_copy15_b),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy16 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_a), .b(add_f32_ftz_unit_copy16_b),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy17 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_a), .b(add_f32_ftz_unit_copy17_b),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
-    float_lt lt_f32_ftz_unit (
+    float_lt_s2_f32ftz lt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(32'h39800000), .b(add_f32_ftz_unit_y), .y(lt_f32_ftz_unit_y)
     );
 
-    float_sqrt sqrt_f32_ftz_unit (
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_a), .y(sqrt_f32_ftz_unit_y)
     );
 
-    float_sqrt sqrt_f32_ftz_unit_copy2 (
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy2_a), .y(sqrt_f32_ftz_unit_copy2_y)
     );
 
-    float_min min_f32_ftz_unit (
+    float_min_s2_f32ftz min_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_a), .b(min_f32_ftz_unit_b),
         .y(min_f32_ftz_unit_y)
     );
 
-    float_min min_f32_ftz_unit_copy2 (
+    float_min_s2_f32ftz min_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy2_a), .b(min_f32_ftz_unit_copy2_b),
         .y(min_f32_ftz_unit_copy2_y)
     );
 
-    float_min min_f32_ftz_unit_copy3 (
+    float_min_s2_f32ftz min_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy3_a), .b(min_f32_ftz_unit_copy3_b),
         .y(min_f32_ftz_unit_copy3_y)
     );
 
-    float_max max_f32_ftz_unit (
+    float_max_s2_f32ftz max_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_a), .b(max_f32_ftz_unit_b),
         .y(max_f32_ftz_unit_y)
     );
 
-    float_max max_f32_ftz_unit_copy2 (
+    float_max_s2_f32ftz max_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy2_a), .b(max_f32_ftz_unit_copy2_b),
         .y(max_f32_ftz_unit_copy2_y)
     );
 
-    float_max max_f32_ftz_unit_copy3 (
+    float_max_s2_f32ftz max_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy3_a), .b(max_f32_ftz_unit_copy3_b),
         .y(max_f32_ftz_unit_copy3_y)
     );
 
-    float_max max_f32_ftz_unit_copy4 (
+    float_max_s2_f32ftz max_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy4_a), .b(max_f32_ftz_unit_copy4_b),
         .y(max_f32_ftz_unit_copy4_y)
     );
 
-    float_max max_f32_ftz_unit_copy5 (
+    float_max_s2_f32ftz max_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy5_a), .b(max_f32_ftz_unit_copy5_b),
         .y(max_f32_ftz_unit_copy5_y)
     );
 
-    float_to_fixed_w21_fraction8 to_fixed_f32_ftz_u21q8_unit (
+    float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_a),
         .y(to_fixed_f32_ftz_u21q8_unit_y)
     );
 
-    float_to_fixed_w21_fraction8 to_fixed_f32_ftz_u21q8_unit_copy2 (
+    float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
     );
 
-    float_le le_f32_ftz_unit (
+    float_le_s2_f32ftz le_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b),
         .y(le_f32_ftz_unit_y)
     );
 
-    float_to_fixed_w24_fraction24 to_fixed_f32_ftz_u24q24_unit (
+    float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u24q24_unit_a),
         .y(to_fixed_f32_ftz_u24q24_unit_y)
     );
 
-    float_to_fixed_w24_fraction24 to_fixed_f32_ftz_u24q24_unit_copy2 (
+    float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u24q24_unit_copy2_a),
         .y(to_fixed_f32_ftz_u24q24_unit_copy2_y)
     );
@@ -7702,7 +7703,7 @@ endmodule
 // width = 24
 // fraction = 24
 // integer = unsigned
-module float_to_fixed_w24_fraction24 (
+module float_to_fixed_s3_f32ftz_w24_f24_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -7742,7 +7743,7 @@ endmodule
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f32-ftz
-module float_le (
+module float_le_s2_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -7772,7 +7773,7 @@ endmodule
 // width = 21
 // fraction = 8
 // integer = unsigned
-module float_to_fixed_w21_fraction8 (
+module float_to_fixed_s3_f32ftz_w21_f8_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -7814,7 +7815,7 @@ endmodule
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f32-ftz
-module float_max (
+module float_max_s2_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -7842,7 +7843,7 @@ endmodule
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f32-ftz
-module float_min (
+module float_min_s2_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -7870,7 +7871,7 @@ endmodule
 // Floating-point square root, correctly rounded.
 // stages = 26
 // format = f32-ftz
-module float_sqrt (
+module float_sqrt_s26_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -8191,7 +8192,7 @@ endmodule
 // Floating-point product.
 // stages = 6
 // format = f32-ftz
-module float_mul_s6_ff32ftz (
+module float_mul_s6_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -8269,7 +8270,7 @@ endmodule
 // Floating-point reciprocal, correctly rounded.
 // stages = 28
 // format = f32-ftz
-module float_recip (
+module float_recip_s28_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -8929,220 +8930,220 @@ module splat_transform (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_center_x), .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_center_y), .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_center_z), .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_center_x), .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_center_y), .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_center_z), .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_center_x), .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_center_y), .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_center_z), .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy14_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy15 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy15_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy16 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy16_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy17 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy17_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy18 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy18 (
         .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy18_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy19 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy19 (
         .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy19_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy20 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy20 (
         .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy20_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy21 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy21 (
         .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy21_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy22 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy22 (
         .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy22_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy23 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy23 (
         .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy23_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy24 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy24 (
         .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy24_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy25 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy25 (
         .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy25_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy26 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy26 (
         .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy26_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy27 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy27 (
         .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy27_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_6_from_0_out[31:0]),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(delay_6_from_0_out[63:32]),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out[95:64]),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(m03), .b(add_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(m13), .b(add_f32_ftz_unit_copy4_y),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy9 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(m23), .b(add_f32_ftz_unit_copy6_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy10 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy11 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_y), .b(delay_6_from_0_out[127:96]),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy12 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_y), .b(mul_f32_ftz_unit_copy14_y),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy13 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(delay_6_from_0_out[159:128]),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy14 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy16_y), .b(mul_f32_ftz_unit_copy17_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy15 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[191:160]),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy16 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy19_y), .b(mul_f32_ftz_unit_copy20_y),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy17 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(delay_6_from_0_out[223:192]),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy18 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy22_y), .b(mul_f32_ftz_unit_copy23_y),
         .y(add_f32_ftz_unit_copy18_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy19 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(delay_6_from_0_out[255:224]),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy20 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy25_y), .b(mul_f32_ftz_unit_copy26_y),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy21 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_y), .b(delay_6_from_0_out[287:256]),
         .y(add_f32_ftz_unit_copy21_y)
     );
 
-    float_lt lt_f32_ftz_unit (
+    float_lt_s2_f32ftz lt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy9_y),
         .y(lt_f32_ftz_unit_y)
     );
@@ -9248,7 +9249,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 2
 // format = f32-ftz
-module float_lt (
+module float_lt_s2_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -9275,7 +9276,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f32-ftz
-module float_add_s6_ff32ftz (
+module float_add_s6_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -9387,7 +9388,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f32-ftz
-module float_mul_s5_ff32ftz (
+module float_mul_s5_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,

@@ -262,7 +262,7 @@ module search_axi (
         .error(points_error), .misplaced(points_misplaced)
     );
 
-    stream_fifo_w29 fetches (
+    stream_fifo_d16_w29 fetches (
         .clk(clk), .rst(rst),
         .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
         .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
@@ -427,7 +427,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 29
-module stream_fifo_w29 (
+module stream_fifo_d16_w29 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -602,7 +602,7 @@ module bus_reader (
         .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
-    stream_fifo_w8 length_queue (
+    stream_fifo_d16_w8 length_queue (
         .clk(clk), .rst(rst),
         .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
@@ -671,7 +671,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 8
-module stream_fifo_w8 (
+module stream_fifo_d16_w8 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,

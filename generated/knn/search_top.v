@@ -1484,7 +1484,7 @@ module search_sieve (
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
-    stream_fifo kept_queue (
+    stream_fifo_d16_w155 kept_queue (
         .clk(clk), .rst(rst),
         .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({
@@ -1553,7 +1553,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 155
-module stream_fifo (
+module stream_fifo_d16_w155 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1921,150 +1921,150 @@ module search_distance (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(joined_1), .y(add_f32_ftz_unit_y)
     );
 
-    float_add add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(joined_2), .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(joined_3), .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(delay_6_from_0_out[31:0]),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_add add_f32_ftz_unit_copy7 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add add_f32_ftz_unit_copy8 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
-    float_add add_f32_ftz_unit_copy9 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
-    float_add add_f32_ftz_unit_copy10 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(delay_6_from_0_out[63:32]),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
-    float_add add_f32_ftz_unit_copy11 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
-    float_add add_f32_ftz_unit_copy12 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
-    float_add add_f32_ftz_unit_copy13 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
-    float_add add_f32_ftz_unit_copy14 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
-    float_add add_f32_ftz_unit_copy15 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[95:64]),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
-    float_add add_f32_ftz_unit_copy16 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
-    float_add add_f32_ftz_unit_copy17 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
-    float_add add_f32_ftz_unit_copy18 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
-    float_add add_f32_ftz_unit_copy19 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
-    float_add add_f32_ftz_unit_copy20 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_out[127:96]),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy6 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy7 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy8 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy9 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy10 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy11 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy12 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
@@ -2717,7 +2717,7 @@ module search_traversal (
         .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
-    float_lt less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_8), .y(less_y));
+    float_lt_s1_f32ftz less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_8), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2759,7 +2759,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 1
 // format = f32-ftz
-module float_lt (
+module float_lt_s1_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -2820,12 +2820,12 @@ module search_path (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
@@ -2850,7 +2850,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f32-ftz
-module float_mul (
+module float_mul_s5_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -2923,7 +2923,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f32-ftz
-module float_add (
+module float_add_s6_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,

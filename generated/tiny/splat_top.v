@@ -481,62 +481,62 @@ module splat_normalizer (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s3_formatf24ftz_w28_fraction16 to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf24ftz_w52_fraction40 to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[39:24]), .y(convert_f16_f24_ftz_unit_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy2 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[55:40]),
         .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy3 (
+    float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[71:56]),
         .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy2 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy3 (
+    float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
         .y(convert_f24_ftz_f16_unit_copy3_y)
     );
@@ -577,7 +577,7 @@ endmodule
 // stages = 3
 // from = f24-ftz
 // to = f16
-module float_convert_ff24ftz_tf16 (
+module float_convert_s3_f24ftz_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -629,7 +629,7 @@ endmodule
 // stages = 3
 // from = f16
 // to = f24-ftz
-module float_convert_ff16_tf24ftz (
+module float_convert_s3_f16_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -687,7 +687,7 @@ endmodule
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
+module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [51:0] a,
@@ -764,7 +764,7 @@ endmodule
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
+module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [27:0] a,
@@ -1042,14 +1042,14 @@ module splat_accumulator (
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
-    stream_fifo_w10 places (
+    stream_fifo_d64_w10_distributed places (
         .clk(clk), .rst(rst),
         .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
-    stream_fifo_w152 samples (
+    stream_fifo_d64_w152 samples (
         .clk(clk), .rst(rst),
         .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
@@ -1065,15 +1065,15 @@ module splat_accumulator (
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
-    float_add_s5_ff16 add_attribute_0 (
+    float_add_s5_f16 add_attribute_0 (
         .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
     );
 
-    float_add_s5_ff16 add_attribute_1 (
+    float_add_s5_f16 add_attribute_1 (
         .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
     );
 
-    float_add_s5_ff16 add_attribute_2 (
+    float_add_s5_f16 add_attribute_2 (
         .clk(clk), .enable(1'd1), .a(stored[15:0]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
     );
 
@@ -1255,7 +1255,7 @@ endmodule
 // Floating-point sum.
 // stages = 5
 // format = f16
-module float_add_s5_ff16 (
+module float_add_s5_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -1396,7 +1396,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 152
-module stream_fifo_w152 (
+module stream_fifo_d64_w152 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1467,7 +1467,8 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 10
-module stream_fifo_w10 (
+// storage = distributed
+module stream_fifo_d64_w10_distributed (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1607,26 +1608,26 @@ module splat_weighting (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+    float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
-    integer_mul_s3_au16_bu24 mul_u16_u24_unit (
+    integer_mul_s3_u16_u24 mul_u16_u24_unit (
         .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit (
+    float_mul_s6_f16 mul_f16_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_14_d4),
         .y(mul_f16_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy2 (
+    float_mul_s6_f16 mul_f16_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_16_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy3 (
+    float_mul_s6_f16 mul_f16_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_18_d4),
         .y(mul_f16_unit_copy3_y)
     );
@@ -1676,7 +1677,7 @@ endmodule
 // Floating-point product.
 // stages = 6
 // format = f16
-module float_mul_s6_ff16 (
+module float_mul_s6_f16 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -1783,7 +1784,7 @@ endmodule
 // stages = 3
 // a = u16
 // b = u24
-module integer_mul_s3_au16_bu24 (
+module integer_mul_s3_u16_u24 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -1811,7 +1812,7 @@ endmodule
 // width = 16
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s4_formatf16_w16_fraction16 (
+module float_from_fixed_s4_f16_w16_f16_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -2008,7 +2009,7 @@ module splat_rasterizer (
         .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
     );
 
-    stream_fifo_w120 shared (
+    stream_fifo_d64_w120 shared (
         .clk(clk), .rst(rst),
         .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2}),
@@ -2065,7 +2066,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 120
-module stream_fifo_w120 (
+module stream_fifo_d64_w120 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -2446,62 +2447,62 @@ module splat_evaluation (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_58_d2), .y(mul_s18_s18_unit_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy2 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_60_d2),
         .y(mul_s18_s18_unit_copy2_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy3 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_63_d2),
         .y(mul_s18_s18_unit_copy3_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy4 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_65_d2),
         .y(mul_s18_s18_unit_copy4_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy5 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_69_d2),
         .y(mul_s18_s18_unit_copy5_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy6 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_71_d2),
         .y(mul_s18_s18_unit_copy6_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy7 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_356_d1), .b(reinterpret_356_d1),
         .y(mul_s18_s18_unit_copy7_y)
     );
 
-    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy8 (
+    integer_mul_s2_s18_s18 mul_s18_s18_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_364_d1), .b(reinterpret_364_d1),
         .y(mul_s18_s18_unit_copy8_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit (
         .clk(clk), .enable(queue_in_ready), .a(bits_202_d1), .b(bits_202_d1), .y(mul_u18_u18_unit_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy2 (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(bits_205_d1), .b(bits_205_d1), .y(mul_u18_u18_unit_copy2_y)
     );
 
-    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy3 (
+    integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(bits_208_d1), .b(bits_208_d1), .y(mul_u18_u18_unit_copy3_y)
     );
 
-    integer_mul_s2_au18_bu16 mul_u18_u16_unit (
+    integer_mul_s2_u18_u16 mul_u18_u16_unit (
         .clk(clk), .enable(queue_in_ready), .a(bits_372_d1), .b(filter_scale), .y(mul_u18_u16_unit_y)
     );
 
-    float_table interpolate_8_8_16_unit (
+    float_table_s4_i8_f8 interpolate_8_8_16_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_381_d1), .y(interpolate_8_8_16_unit_y)
     );
 
@@ -2733,7 +2734,7 @@ endmodule
 // stages = 4
 // index_bits = 8
 // fraction_bits = 8
-module float_table (
+module float_table_s4_i8_f8 (
     input  wire clk,
     input  wire enable,
     input  wire [15:0] a,
@@ -3029,7 +3030,7 @@ endmodule
 // stages = 2
 // a = u18
 // b = u16
-module integer_mul_s2_au18_bu16 (
+module integer_mul_s2_u18_u16 (
     input  wire clk,
     input  wire enable,
     input  wire [17:0] a,
@@ -3052,7 +3053,7 @@ endmodule
 // stages = 2
 // a = u18
 // b = u18
-module integer_mul_s2_au18_bu18 (
+module integer_mul_s2_u18_u18 (
     input  wire clk,
     input  wire enable,
     input  wire [17:0] a,
@@ -3074,7 +3075,7 @@ endmodule
 // stages = 2
 // a = s18
 // b = s18
-module integer_mul_s2_as18_bs18 (
+module integer_mul_s2_s18_s18 (
     input  wire clk,
     input  wire enable,
     input  wire [17:0] a,
@@ -3835,7 +3836,7 @@ module splat_reorder (
         .empty(heap_empty)
     );
 
-    stream_fifo_w6 returned (
+    stream_fifo_d64_w6 returned (
         .clk(clk), .rst(rst),
         .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
@@ -3880,7 +3881,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 64
 // width = 6
-module stream_fifo_w6 (
+module stream_fifo_d64_w6 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -4013,7 +4014,7 @@ module splat_heap (
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_level0 stage_0 (
+    splat_heap_stage_l0 stage_0 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
@@ -4030,7 +4031,7 @@ module splat_heap (
         .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
-    splat_heap_stage_level2 stage_2 (
+    splat_heap_stage_l2 stage_2 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
@@ -4049,7 +4050,7 @@ module splat_heap (
         .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
-    splat_heap_stage_level4 stage_4 (
+    splat_heap_stage_l4 stage_4 (
         .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
@@ -4104,7 +4105,7 @@ endmodule
 // level = 4
 // levels = 6
 // interval = 2
-module splat_heap_stage_level4 (
+module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4259,7 +4260,7 @@ endmodule
 // level = 2
 // levels = 6
 // interval = 2
-module splat_heap_stage_level2 (
+module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -4444,7 +4445,7 @@ endmodule
 // level = 0
 // levels = 6
 // interval = 2
-module splat_heap_stage_level0 (
+module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
@@ -5343,79 +5344,79 @@ module splat_setup (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_recip recip_f24_ftz_unit (
+    float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit (
+    float_mul_s5_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_sqrt sqrt_f24_ftz_unit (
+    float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
-    float_min min_f24_ftz_unit (
+    float_min_s2_f24ftz min_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
     );
 
-    float_max max_f24_ftz_unit (
+    float_max_s2_f24ftz max_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
         .y(max_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w21_fraction8_iunsigned to_fixed_f24_ftz_u21q8_unit (
+    float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
-    float_le le_f24_ftz_unit (
+    float_le_s2_f24ftz le_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w29_fraction15_isigned to_fixed_f24_ftz_s29q15_unit (
+    float_to_fixed_s3_f24ftz_w29_f15_signed to_fixed_f24_ftz_s29q15_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s29q15_unit_a),
         .y(to_fixed_f24_ftz_s29q15_unit_y)
     );
 
-    float_to_fixed_w19_fraction18_isigned to_fixed_f24_ftz_s19q18_unit (
+    float_to_fixed_s3_f24ftz_w19_f18_signed to_fixed_f24_ftz_s19q18_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s19q18_unit_a),
         .y(to_fixed_f24_ftz_s19q18_unit_y)
     );
 
-    float_to_fixed_w23_fraction22_isigned to_fixed_f24_ftz_s23q22_unit (
+    float_to_fixed_s3_f24ftz_w23_f22_signed to_fixed_f24_ftz_s23q22_unit (
         .clk(clk), .enable(queue_in_ready), .a(reinterpret_510_d1), .y(to_fixed_f24_ftz_s23q22_unit_y)
     );
 
-    float_to_fixed_w24_fraction24_iunsigned to_fixed_f24_ftz_u24q24_unit (
+    float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
         .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
@@ -5998,7 +5999,7 @@ endmodule
 // width = 24
 // fraction = 24
 // integer = unsigned
-module float_to_fixed_w24_fraction24_iunsigned (
+module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6042,7 +6043,7 @@ endmodule
 // width = 23
 // fraction = 22
 // integer = signed
-module float_to_fixed_w23_fraction22_isigned (
+module float_to_fixed_s3_f24ftz_w23_f22_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6087,7 +6088,7 @@ endmodule
 // width = 19
 // fraction = 18
 // integer = signed
-module float_to_fixed_w19_fraction18_isigned (
+module float_to_fixed_s3_f24ftz_w19_f18_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6132,7 +6133,7 @@ endmodule
 // width = 29
 // fraction = 15
 // integer = signed
-module float_to_fixed_w29_fraction15_isigned (
+module float_to_fixed_s3_f24ftz_w29_f15_signed (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6174,7 +6175,7 @@ endmodule
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
-module float_le (
+module float_le_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6204,7 +6205,7 @@ endmodule
 // width = 21
 // fraction = 8
 // integer = unsigned
-module float_to_fixed_w21_fraction8_iunsigned (
+module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6245,7 +6246,7 @@ endmodule
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_max (
+module float_max_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6273,7 +6274,7 @@ endmodule
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
-module float_min (
+module float_min_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6301,7 +6302,7 @@ endmodule
 // Floating-point square root, correctly rounded.
 // stages = 18
 // format = f24-ftz
-module float_sqrt (
+module float_sqrt_s18_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6526,7 +6527,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
-module float_mul_s5_ff24ftz (
+module float_mul_s5_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -6593,7 +6594,7 @@ endmodule
 // Floating-point reciprocal, correctly rounded.
 // stages = 20
 // format = f24-ftz
-module float_recip (
+module float_recip_s20_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7051,27 +7052,27 @@ module splat_transform (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_lt lt_f24_ftz_unit (
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
     );
 
@@ -7329,7 +7330,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 2
 // format = f24-ftz
-module float_lt (
+module float_lt_s2_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7356,7 +7357,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f24-ftz
-module float_add_s6_ff24ftz (
+module float_add_s6_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -7462,7 +7463,7 @@ endmodule
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
-module float_mul_s4_ff24ftz (
+module float_mul_s4_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,

@@ -707,7 +707,7 @@ module search_sieve (
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
-    stream_fifo kept_queue (
+    stream_fifo_d4_w43 kept_queue (
         .clk(clk), .rst(rst),
         .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({held_thread, held_address, held_last, held_distance0}),
@@ -765,7 +765,7 @@ endmodule
 // Queue in a memory with a registered output.
 // depth = 4
 // width = 43
-module stream_fifo (
+module stream_fifo_d4_w43 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1068,42 +1068,42 @@ module search_distance (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add add_f24_ftz_unit_copy2 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add add_f24_ftz_unit_copy3 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add add_f24_ftz_unit_copy4 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
-    float_add add_f24_ftz_unit_copy5 (
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_mul mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul mul_f24_ftz_unit_copy2 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul mul_f24_ftz_unit_copy3 (
+    float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
@@ -1695,7 +1695,7 @@ module search_traversal (
         .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
-    float_lt less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_7), .y(less_y));
+    float_lt_s1_f24ftz less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_7), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1737,7 +1737,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 1
 // format = f24-ftz
-module float_lt (
+module float_lt_s1_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -1797,12 +1797,12 @@ module search_path (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f24_ftz_unit (
+    float_add_s6_f24ftz add_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
-    float_mul mul_f24_ftz_unit (
+    float_mul_s4_f24ftz mul_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_y)
     );
@@ -1827,7 +1827,7 @@ endmodule
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
-module float_mul (
+module float_mul_s4_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,
@@ -1889,7 +1889,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f24-ftz
-module float_add (
+module float_add_s6_f24ftz (
     input  wire clk,
     input  wire enable,
     input  wire [23:0] a,

@@ -247,7 +247,7 @@ module search_axi (
         .sent(results_sent), .idle(results_idle)
     );
 
-    bus_reader_b8_r4 points (
+    bus_reader points (
         .clk(clk), .rst(rst),
         .request_valid(core_fetch_valid & fetches_in_ready), .request_ready(points_request_ready),
         .request_address(points_address), .request_records(core_fetch_beats),
@@ -271,7 +271,7 @@ module search_axi (
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
-    bus_reader_b1_r1 tree (
+    bus_reader_v2 tree (
         .clk(clk), .rst(rst),
         .request_valid(core_lookup_valid & lookups_in_ready), .request_ready(tree_request_ready),
         .request_address(tree_address), .request_records(1'd1),
@@ -312,7 +312,7 @@ endmodule
 // beats = 1
 // width = 64
 // records = 1
-module bus_reader_b1_r1 (
+module bus_reader_v2 (
     input  wire clk,
     input  wire rst,
     input  wire request_valid,
@@ -523,7 +523,7 @@ endmodule
 // beats = 8
 // width = 64
 // records = 4
-module bus_reader_b8_r4 (
+module bus_reader (
     input  wire clk,
     input  wire rst,
     input  wire request_valid,

@@ -2367,150 +2367,150 @@ module search_distance (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(joined_1), .y(add_f32_ftz_unit_y)
     );
 
-    float_add add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(joined_2), .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(joined_3), .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(delay_6_from_0_out[31:0]),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_add add_f32_ftz_unit_copy7 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
-    float_add add_f32_ftz_unit_copy8 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
-    float_add add_f32_ftz_unit_copy9 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
-    float_add add_f32_ftz_unit_copy10 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(delay_6_from_0_out[63:32]),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
-    float_add add_f32_ftz_unit_copy11 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
-    float_add add_f32_ftz_unit_copy12 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
-    float_add add_f32_ftz_unit_copy13 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
-    float_add add_f32_ftz_unit_copy14 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
-    float_add add_f32_ftz_unit_copy15 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[95:64]),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
-    float_add add_f32_ftz_unit_copy16 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
         .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
-    float_add add_f32_ftz_unit_copy17 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
         .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
-    float_add add_f32_ftz_unit_copy18 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
         .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
-    float_add add_f32_ftz_unit_copy19 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
-    float_add add_f32_ftz_unit_copy20 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_out[127:96]),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy6 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy7 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy8 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy9 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy10 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy11 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy12 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
@@ -3122,7 +3122,7 @@ module search_traversal (
         .out_valid(record_queue_out_valid), .out_ready(advance), .out_data(record_queue_out_data)
     );
 
-    float_lt_s1 less (.clk(clk), .enable(advance), .a(coordinate), .b(v_split), .y(less_y));
+    float_lt_s1_f32ftz less (.clk(clk), .enable(advance), .a(coordinate), .b(v_split), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3163,7 +3163,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 1
 // format = f32-ftz
-module float_lt_s1 (
+module float_lt_s1_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -3275,12 +3275,12 @@ module search_path (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
@@ -4351,17 +4351,17 @@ module search_cover (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_sqrt sqrt_f32_ftz_unit (.clk(clk), .enable(queue_in_ready), .a(in_far2), .y(sqrt_f32_ftz_unit_y));
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (.clk(clk), .enable(queue_in_ready), .a(in_far2), .y(sqrt_f32_ftz_unit_y));
 
-    float_sqrt sqrt_f32_ftz_unit_copy2 (
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_near2), .y(sqrt_f32_ftz_unit_copy2_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_y), .b(far_scale), .y(mul_f32_ftz_unit_y)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(delay_5_from_0_out),
         .y(add_f32_ftz_unit_y)
     );
@@ -4394,7 +4394,7 @@ endmodule
 // Floating-point square root, correctly rounded.
 // stages = 26
 // format = f32-ftz
-module float_sqrt (
+module float_sqrt_s26_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -4935,66 +4935,66 @@ module search_check (
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_add add_f32_ftz_unit (
+    float_add_s6_f32ftz add_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_x), .b({~in_entry_x[31], in_entry_x[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
-    float_add add_f32_ftz_unit_copy2 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(in_y), .b({~in_entry_y[31], in_entry_y[30:0]}),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
-    float_add add_f32_ftz_unit_copy3 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(in_z), .b({~in_entry_z[31], in_entry_z[30:0]}),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
-    float_add add_f32_ftz_unit_copy4 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(in_entry_c), .b({~in_reach[31], in_reach[30:0]}),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
-    float_add add_f32_ftz_unit_copy5 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_y), .b(mul_f32_ftz_unit_copy3_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
-    float_add add_f32_ftz_unit_copy6 (
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
-    float_mul mul_f32_ftz_unit (
+    float_mul_s5_f32ftz mul_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(margin_scale),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy2 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy3 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy4 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul mul_f32_ftz_unit_copy5 (
+    float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_lt_s2 lt_f32_ftz_unit (
+    float_lt_s2_f32ftz lt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(in_reach), .b(in_entry_c), .y(lt_f32_ftz_unit_y)
     );
 
-    float_lt_s2 lt_f32_ftz_unit_copy2 (
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(delay_7_from_0_out),
         .y(lt_f32_ftz_unit_copy2_y)
     );
@@ -5037,7 +5037,7 @@ endmodule
 // Whether one floating-point number is less than another.
 // stages = 2
 // format = f32-ftz
-module float_lt_s2 (
+module float_lt_s2_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -5064,7 +5064,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f32-ftz
-module float_mul (
+module float_mul_s5_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,
@@ -5137,7 +5137,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f32-ftz
-module float_add (
+module float_add_s6_f32ftz (
     input  wire clk,
     input  wire enable,
     input  wire [31:0] a,

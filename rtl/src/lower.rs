@@ -1,6 +1,6 @@
-//! From checked modules to Verilog: identical ones are folded, the rest are named by unit and parameters.
+//! From checked modules to Verilog: identical ones are folded, the rest are named by unit and variants.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 
@@ -20,6 +20,8 @@ const ONE_FILE: &str =
 pub(super) struct Lowered {
     pub unit: String,
     pub parameters: Parameters,
+    /// Names of those that are part of its name.
+    variants: Vec<String>,
     pub area: Area,
     pub memories: Vec<Storage>,
     /// Indices of the modules of its children.
@@ -27,6 +29,27 @@ pub(super) struct Lowered {
     summary: String,
     body: Body,
     implicit: Implicit,
+}
+
+impl Lowered {
+    /// `_d16_w64` from the variants: first letters, or words where those begin alike; names of formats and the like stand alone.
+    fn suffix(&self) -> String {
+        let stands_alone = |value: &str| value.starts_with(|c: char| c.is_ascii_alphabetic());
+        let variants = self.parameters.iter().filter(|(name, _)| self.variants.contains(name));
+        let keyed = |initial: &str| {
+            let alike = variants.clone().filter(|(name, value)| name.starts_with(initial) && !stands_alone(value));
+            alike.count()
+        };
+        let part = |(name, value): &(String, String)| {
+            let text: String = value.chars().filter(char::is_ascii_alphanumeric).collect();
+            match &name[..1] {
+                _ if stands_alone(value) => format!("_{text}"),
+                initial if keyed(initial) > 1 => format!("_{name}{text}"),
+                initial => format!("_{initial}{text}"),
+            }
+        };
+        variants.clone().map(part).collect()
+    }
 }
 
 /// What makes two modules one: unit, parameters, the modules of the children, text.
@@ -63,6 +86,7 @@ impl Library {
             self.modules.push(Lowered {
                 unit: module.unit.clone(),
                 parameters: module.parameters.clone(),
+                variants: module.variants.clone(),
                 area: Area::of(&graph),
                 memories: Storage::of(&graph),
                 children,
@@ -75,54 +99,22 @@ impl Library {
         index
     }
 
-    /// The name of every module: its unit, and where a unit has several, what tells them apart. The first `beside` modules have the
-    /// names that they have without the others.
+    /// The name of every module: its unit, and its variants behind, whatever else is in the design. Tops have their unit's name. Should
+    /// two modules still be of one name, those after the first get a number; the first `beside` modules do not depend on the others.
     pub fn names(&self, beside: usize) -> Vec<String> {
-        let (mut names, mut taken) = (vec![], HashSet::new());
-        for end in [beside, self.modules.len()] {
-            self.name_up_to(end, &mut names, &mut taken);
-        }
-        names
-    }
-
-    /// Names the modules that follow those named, up to `end`.
-    fn name_up_to(&self, end: usize, names: &mut Vec<String>, taken: &mut HashSet<String>) {
-        let mut units: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        for (index, module) in self.modules[..end].iter().enumerate() {
-            units.entry(&module.unit).or_default().push(index);
-        }
-        let first = names.len();
-        names.extend(self.modules[first..end].iter().map(|module| module.unit.clone()));
-        taken.extend(units.keys().map(|unit| unit.to_string()));
-        for members in units.values().filter(|members| members.len() > 1) {
-            for &member in members.iter().filter(|member| **member >= first) {
-                let base = format!("{}{}", self.modules[member].unit, self.suffix(member, members));
-                let mut name = base.clone();
-                let mut ordinal = 1;
-                while !taken.insert(name.clone()) {
-                    ordinal += 1;
-                    name = format!("{base}_v{ordinal}");
-                }
-                names[member] = name;
+        let is_top = |index: usize| index + 1 == beside || index + 1 == self.modules.len();
+        let tops = self.modules.iter().enumerate().filter(|(index, _)| is_top(*index));
+        let mut taken: HashSet<String> = tops.map(|(_, module)| module.unit.clone()).collect();
+        let name = |(index, module): (usize, &Lowered)| {
+            if is_top(index) {
+                return module.unit.clone();
             }
-        }
-    }
-
-    /// `_d16_w64` from the parameters in which the members of a unit differ.
-    fn suffix(&self, member: usize, members: &[usize]) -> String {
-        let parameters = &self.modules[member].parameters;
-        let differs = |name: &str, value: &str| {
-            let same = |&other: &usize| self.modules[other].parameters.iter().any(|(n, v)| n == name && v == value);
-            !members.iter().all(same)
+            let base = format!("{}{}", module.unit, module.suffix());
+            let copies = (2..).map(|copy| format!("{base}_v{copy}"));
+            let mut candidates = std::iter::once(base.clone()).chain(copies);
+            candidates.find(|name| taken.insert(name.clone())).expect("there is always another number")
         };
-        let mut suffix = String::new();
-        for (name, value) in parameters.iter().filter(|(name, value)| differs(name, value)) {
-            let initial = &name[..1];
-            let ambiguous = parameters.iter().filter(|(other, _)| other.starts_with(initial)).count() > 1;
-            let value: String = value.chars().filter(char::is_ascii_alphanumeric).collect();
-            let _ = write!(suffix, "_{}{value}", if ambiguous { name } else { initial });
-        }
-        suffix
+        self.modules.iter().enumerate().map(name).collect()
     }
 
     /// Verilog text of all modules but the first `beside`, parents before children: a file named after the top starts with it.
@@ -170,7 +162,8 @@ fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
         let text = format!("{} {instance} {}", names[child], filled(connections));
         // Instances of a line each stand together.
         let (is_short, after_short) = (!text.contains('\n'), after_short.replace(!text.contains('\n')));
-        if !body.is_empty() && !(is_short && after_short == Some(true)) {
+        let stands_together = body.is_empty() || (is_short && after_short == Some(true));
+        if !stands_together {
             body.push('\n');
         }
         let _ = writeln!(body, "{text}");

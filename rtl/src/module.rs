@@ -28,6 +28,8 @@ pub struct Module {
     pub(super) unit: String,
     pub(super) summary: String,
     pub(super) parameters: Vec<(String, String)>,
+    /// Those of the parameters that are part of its name.
+    pub(super) variants: Vec<String>,
     pub(super) ports: Vec<PortDeclaration>,
     pub(super) streams: Vec<StreamDeclaration>,
     /// Fields that share ports.
@@ -108,6 +110,7 @@ impl Module {
             unit: unit.into(),
             summary: summary.into(),
             parameters: vec![],
+            variants: vec![],
             ports: vec![],
             streams: vec![],
             packed: vec![],
@@ -130,7 +133,15 @@ impl Module {
         &self.unit
     }
 
-    /// Records a parameter: it stands in the header and tells this module from others of its unit.
+    /// Records a parameter that is part of the module's name, where it is not the top: `stream_skid_w25`. For units of which a design
+    /// has several.
+    #[track_caller]
+    pub fn variant(&mut self, name: &str, value: impl Display) {
+        self.parameter(name, value);
+        self.variants.push(name.into());
+    }
+
+    /// Records a parameter, which stands in the header.
     #[track_caller]
     pub fn parameter(&mut self, name: &str, value: impl Display) {
         if self.parameters.iter().any(|(other, _)| other == name) {

@@ -30,8 +30,8 @@ pub(super) fn stages(a: Type, b: Type) -> u32 {
 /// Module `integer_mul`: ports `enable`, `a`, `b`, and `y` as wide as both.
 pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
     let mut pipe = Pipe::new("integer_mul", "Integer product, pipelined.", &delays(a, b), stages);
-    pipe.module.parameter("a", a);
-    pipe.module.parameter("b", b);
+    pipe.module.variant("a", a);
+    pipe.module.variant("b", b);
     let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width()));
     let [left, right] = pipe.cut([("a", left), ("b", right)]);
     let product = match a {

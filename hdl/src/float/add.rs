@@ -37,7 +37,7 @@ fn delays(format: Format) -> Vec<u32> {
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_add", "Floating-point sum.", &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let (a, b) = (Operand::input(&mut pipe, format, "a"), Operand::input(&mut pipe, format, "b"));
 
     let swap = pipe.module.wire("swap", a.magnitude.lt(b.magnitude));

@@ -47,7 +47,7 @@ fn module(relation: Relation, format: Format, stages: u32) -> Operator {
         Relation::Equal => ("float_eq", "Whether two floating-point numbers are equal."),
     };
     let mut pipe = Pipe::new(unit, summary, &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let [a, b] = ["a", "b"].map(|name| {
         let encoded = pipe.module.input(name, width(format));
         flushed(format, encoded)

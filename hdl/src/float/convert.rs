@@ -33,8 +33,8 @@ fn underflow(from: Format, to: Format) -> Underflow {
 #[must_use]
 pub fn module(from: Format, to: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_convert", "Floating-point format conversion.", &delays(from, to), stages);
-    pipe.module.parameter("from", from);
-    pipe.module.parameter("to", to);
+    pipe.module.variant("from", from);
+    pipe.module.variant("to", to);
     let a = Operand::input(&mut pipe, from, "a");
     let special = Special { sign: a.sign, nan: a.nan, infinite: a.infinite, zero: a.zero };
     let special = special.carry(&pipe);

@@ -64,7 +64,7 @@ pub(super) fn recip_special(a: &Operand) -> Special {
 
 /// `a / b` of normalized operands.
 fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normalized, b: &Normalized) -> Operator {
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let (p, exponent_bits) = (precision(format), exponent_width(format));
     let bias = lit(exponent_bits, format.bias() as u128);
     let mut exponent = pipe.carry("exponent", a.exponent - b.exponent + bias);

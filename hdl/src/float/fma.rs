@@ -46,7 +46,7 @@ fn delays(format: Format) -> Vec<u32> {
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_fma", "Fused multiply-add, rounded once.", &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let (p, field) = (precision(format), field_width(format));
     let [a, b, c] = ["a", "b", "c"].map(|name| Operand::input(&mut pipe, format, name));
 

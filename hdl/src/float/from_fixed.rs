@@ -54,12 +54,12 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
 
 /// Records format and fixed-point format as parameters.
 pub(super) fn fixed_parameters(pipe: &mut Pipe, format: Format, fixed: Fixed) {
-    pipe.module.parameter("format", format);
-    pipe.module.parameter("width", fixed.width);
-    pipe.module.parameter("fraction", fixed.fraction);
+    pipe.module.variant("format", format);
+    pipe.module.variant("width", fixed.width);
+    pipe.module.variant("fraction", fixed.fraction);
     let signed = match fixed.signed {
         Signedness::Signed => "signed",
         Signedness::Unsigned => "unsigned",
     };
-    pipe.module.parameter("integer", signed);
+    pipe.module.variant("integer", signed);
 }

@@ -40,7 +40,7 @@ fn module(extremum: Extremum, format: Format, stages: u32) -> Operator {
         Extremum::Maximum => ("float_max", "Greater of two floating-point numbers."),
     };
     let mut pipe = Pipe::new(unit, summary, &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let [a, b] = ["a", "b"].map(|name| {
         let encoded = pipe.module.input(name, width(format));
         flushed(format, encoded)

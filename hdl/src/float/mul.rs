@@ -29,7 +29,7 @@ fn delays(format: Format) -> Vec<u32> {
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_mul", "Floating-point product.", &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
     let special = Special {
         sign: a.sign ^ b.sign,

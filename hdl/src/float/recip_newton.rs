@@ -43,7 +43,7 @@ fn seeds() -> Vec<u128> {
 pub fn module(format: Format, stages: u32) -> Operator {
     let summary = "Floating-point reciprocal by table and Newton steps.";
     let mut pipe = Pipe::new("float_recip_newton", summary, &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let (p, fraction) = (precision(format), fraction_bits(format));
     let a = Operand::input(&mut pipe, format, "a");
     let special = recip_special(&a).carry(&pipe);

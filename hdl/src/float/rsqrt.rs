@@ -37,7 +37,7 @@ fn delays(format: Format) -> Vec<u32> {
 pub fn module(format: Format, stages: u32) -> Operator {
     let summary = "Floating-point reciprocal square root, correctly rounded.";
     let mut pipe = Pipe::new("float_rsqrt", summary, &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let p = precision(format);
     let a = Operand::input(&mut pipe, format, "a");
     let special = rsqrt_special(&a).carry(&pipe);

@@ -52,7 +52,7 @@ fn seeds() -> Vec<u128> {
 pub fn module(format: Format, stages: u32) -> Operator {
     let summary = "Floating-point reciprocal square root by table and Newton steps.";
     let mut pipe = Pipe::new("float_rsqrt_newton", summary, &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let (p, fraction) = (precision(format), fraction_bits(format));
     let a = Operand::input(&mut pipe, format, "a");
     let special = rsqrt_special(&a).carry(&pipe);

@@ -39,7 +39,7 @@ pub(super) fn even_exponent(format: Format, operand: &Normalized) -> (Expr, Expr
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_sqrt", "Floating-point square root, correctly rounded.", &delays(format), stages);
-    pipe.module.parameter("format", format);
+    pipe.module.variant("format", format);
     let p = precision(format);
     let a = Operand::input(&mut pipe, format, "a");
     let special = Special { nan: a.nan | (a.sign & !a.zero), sign: a.sign, infinite: a.infinite, zero: a.zero };

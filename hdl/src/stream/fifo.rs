@@ -29,8 +29,11 @@ pub fn fifo_distributed(depth: u32, layout: &[(impl AsRef<str>, u32)]) -> Module
 fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Module {
     let mut m = Module::new("stream_fifo", "Queue in a memory with a registered output.");
     let width = item_width(layout);
-    m.parameter("depth", depth);
-    m.parameter("width", width);
+    m.variant("depth", depth);
+    m.variant("width", width);
+    if let Storage::Distributed = storage {
+        m.variant("storage", "distributed");
+    }
     let input = m.packed_in("in", layout);
 
     let address_bits = address_width(depth);

@@ -13,7 +13,7 @@ use rtl::Module;
 pub fn half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_half_buffer", "One item in a register, at half rate.");
     let width = item_width(layout);
-    m.parameter("width", width);
+    m.variant("width", width);
     let input = m.packed_in("in", layout);
     let full = m.reg_reset("full", 1, 0);
     let item = m.reg("item", width);

@@ -12,7 +12,7 @@ use rtl::Module;
 pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_skid", "Queue of two in registers.");
     let width = item_width(layout);
-    m.parameter("width", width);
+    m.variant("width", width);
     let input = m.packed_in("in", layout);
     let item = input.field("data");
 

@@ -1,6 +1,6 @@
 //! The Verilog reads as a person would write it.
 
-use rtl::{Direction, Module, StreamDeclaration, elaborate, lit};
+use rtl::{Direction, Module, StreamDeclaration, bit, elaborate, lit};
 
 fn accumulator() -> Module {
     let mut m = Module::new("accumulator", "Adds up what comes in, up to a limit.");
@@ -105,4 +105,39 @@ fn streams_are_listed_as_declared_and_taken_from_there() {
                 .all(|port| ports.contains(&port.as_str()))
         );
     }
+}
+
+#[test]
+fn constants_go_through_wires_and_registers_and_renaming_wires_go() {
+    let mut m = Module::new("folded", "Has registers that never change.");
+    let (moves, rival) = (m.input("moves", 1), m.input("rival", 1));
+    let never = m.reg_reset("never", 1, 0);
+    m.next(never, never);
+    let stays = m.wire("stays", never);
+    let done = m.wire("done", moves & !stays);
+    m.output("out", done ^ rival);
+    let held = m.reg_reset("held", 1, 1);
+    m.next_if(held, rival, bit(true));
+    m.output("constant", held);
+    let text = elaborate(&m).expect("the module has no fault").verilog().to_owned();
+    assert!(text.contains("assign constant = 1'd1;") && !text.contains("held"), "{text}");
+    assert!(!text.contains("stays") && !text.contains("done"), "{text}");
+}
+
+#[test]
+fn fields_of_a_packed_stream_are_connected_one_by_one() {
+    let layout = [("high", 3), ("low", 5)];
+    let mut queue = Module::new("queue", "Passes items on.");
+    let input = queue.packed_in("in", &layout);
+    let ready = queue.packed_out("out", input.valid, input.field("data"), &layout);
+    queue.ready(&input, ready);
+    let mut m = Module::new("user", "Leads a stream through a queue.");
+    let items = m.stream_in("items", &layout);
+    let queue = m.instance("queue", queue);
+    m.stream_into(queue, "in", &items);
+    let passed = m.stream_from(queue, "out");
+    m.stream_export("passed", &passed);
+    let text = elaborate(&m).expect("the module has no fault").verilog().to_owned();
+    assert!(text.contains(".in_data({items_high, items_low})"), "{text}");
+    assert!(text.contains("assign {passed_high, passed_low} = queue_out_data;"), "{text}");
 }

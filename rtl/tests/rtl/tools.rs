@@ -64,7 +64,7 @@ fn everything() -> Module {
 /// A register as a module of its own, so wide.
 fn stage(width: u32) -> Module {
     let mut m = Module::new("stage", "One register.");
-    m.parameter("width", width);
+    m.variant("width", width);
     let d = m.input("d", width);
     let q = m.reg_reset("q", width, 0);
     m.next(q, d);

@@ -44,7 +44,7 @@ impl Pipe {
         assert!(!delays.is_empty(), "a pipe has at least the output's cut");
         let mut module = Module::new(unit, summary);
         let registered = place(delays, stages as usize);
-        module.parameter("stages", count(&registered));
+        module.variant("stages", count(&registered));
         let enable = module.input("enable", 1);
         Self { module, enable, registered, cuts_passed: 0 }
     }

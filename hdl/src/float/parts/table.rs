@@ -26,8 +26,8 @@ fn delays(shape: TableShape) -> Vec<u32> {
 #[must_use]
 pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_table", "Sampled function, interpolated linearly.", &delays(shape), stages);
-    pipe.module.parameter("index_bits", shape.index_bits);
-    pipe.module.parameter("fraction_bits", shape.fraction_bits);
+    pipe.module.variant("index_bits", shape.index_bits);
+    pipe.module.variant("fraction_bits", shape.fraction_bits);
     let (value_bits, fraction_bits) = (shape.value_bits, shape.fraction_bits);
     let argument = pipe.module.input("a", fraction_bits + shape.index_bits);
     if fraction_bits == 0 {

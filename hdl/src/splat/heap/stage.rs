@@ -290,7 +290,7 @@ fn look(m: &mut Module, stage: &Stage, step: &Step<Wires>, above_row: Expr, sett
 pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module {
     let place = Place::new(config, format, upper);
     let mut m = Module::new("splat_heap_stage", "Two neighboring levels of the pipelined heap.");
-    m.parameter("level", upper);
+    m.variant("level", upper);
     m.parameter("levels", place.levels);
     m.parameter("interval", config.heap_interval);
     let order = Order { format: place.format, sweep: m.input("sweep", 1), last_epoch: m.input("last_epoch", 1) };
