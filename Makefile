@@ -21,7 +21,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -85,7 +85,11 @@ check: ## Formatting, clippy and documentation without warnings
 bench: setup ## Measure frames, searches, operators, stability and accuracy, and merge the figures and docs/area.json's into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
 	cargo run --release --bin pointcore -- area --recorded --record docs/area.json --merge out/bench.json
+	@./scripts/house --merge >/dev/null
 	$(MAKE) stability accuracy
+
+house: ## Count the lines of Rust and of the Verilog, the fields asked for by strings, the files of a unit
+	@./scripts/house
 
 stability: setup ## Check the renderer's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
