@@ -140,7 +140,7 @@ impl<'a> Graph<'a> {
         let module = self.module;
         while let Some(signal) = self.pending.pop() {
             match &module.signals[signal].source {
-                Source::Reset | Source::Input | Source::ChildOutput { .. } => {}
+                Source::Reset | Source::Input | Source::ChildOutput { .. } | Source::BlockOutput { .. } => {}
                 Source::Wire(driver) => driver.iter().for_each(|&driver| self.root(driver)),
                 Source::Register { next, .. } => {
                     if let Some(next) = next {

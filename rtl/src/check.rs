@@ -64,7 +64,7 @@ fn expressions(module: &Module) -> Vec<(String, Place, Expr)> {
     for signal in &module.signals {
         let user = format!("`{}`", signal.name);
         let parts: Vec<Expr> = match &signal.source {
-            Source::Reset | Source::Input | Source::ChildOutput { .. } => vec![],
+            Source::Reset | Source::Input | Source::ChildOutput { .. } | Source::BlockOutput { .. } => vec![],
             Source::Wire(driver) => driver.iter().copied().collect(),
             Source::Register { next, .. } => {
                 next.iter().flat_map(|next| next.enable.into_iter().chain([next.data])).collect()

@@ -48,6 +48,7 @@ fn followed(module: &Module, signal: usize, children: &[Rc<Reach>]) -> BTreeSet<
         }
         Source::Wire(Some(driver)) => leaves(module, *driver),
         Source::ReadNow { address, .. } | Source::Lookup { address, .. } => leaves(module, *address),
+        Source::BlockOutput { follows } => follows.iter().copied().collect(),
         Source::ChildOutput { child, port } => {
             let instance = &module.children[*child];
             let mut found = BTreeSet::new();

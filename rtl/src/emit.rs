@@ -12,7 +12,7 @@ use super::text::{Declarations, braced, literal, range};
 use super::writer::Writer;
 
 /// A module as text, but for its name and those of its children.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Body {
     /// Ports as `(name, width, kind)`, `clk` and `rst` first where there is state.
     pub ports: Vec<(String, u32, PortKind)>,
@@ -226,7 +226,7 @@ impl Emitter<'_> {
         for (child, implicit) in module.children.iter().zip(children) {
             let mut connections = vec![];
             if implicit.clk {
-                connections.push(("clk".into(), "clk".into()));
+                connections.push((child.clock_pin(), "clk".into()));
             }
             if implicit.rst {
                 let reset = match &child.reset {
@@ -235,13 +235,13 @@ impl Emitter<'_> {
                 };
                 connections.push(("rst".into(), reset));
             }
-            for (index, port) in child.module.ports.iter().enumerate() {
+            for index in 0..child.module.ports.len() {
                 let value = match (&child.inputs[index], child.outputs[index]) {
                     (Some(driver), _) => self.writer.expression(*driver),
                     (None, Some(signal)) => module.signals[signal].name.to_string(),
                     (None, None) => unreachable!("an open input is a fault"),
                 };
-                connections.push((port.shape(&child.module).0.to_string(), value));
+                connections.push((child.pin(index), value));
             }
             instances.push((child.name.clone(), connections));
         }

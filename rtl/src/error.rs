@@ -105,6 +105,9 @@ pub enum FaultKind {
     /// Something of another module was passed to this one.
     #[error("`{0}` was declared in another module")]
     ForeignHandle(String),
+    /// A rust-hdl block that cannot be a module.
+    #[error("rust-hdl block: {0}")]
+    Block(String),
     /// A signal depends on itself without a register between.
     #[error("combinational loop: {0}")]
     Loop(String),

@@ -123,6 +123,12 @@ impl Module {
             self.fault(FaultKind::ForeignHandle(instance.name()));
             return;
         }
+        if self.children[instance.index].module.foreign.is_some() {
+            let unit = self.children[instance.index].module.unit.clone();
+            let (instance, port) = (instance.name(), "rst".into());
+            self.fault(FaultKind::UnknownPort { instance, unit, direction: "input", port });
+            return;
+        }
         let condition = self.rst() | condition.into().as_condition("reset");
         match &mut self.children[instance.index].reset {
             slot @ None => *slot = Some(condition),

@@ -3,10 +3,12 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
+use std::rc::Rc;
 
 use super::area::{Area, Storage};
 use super::canonical::Graph;
 use super::emit::{self, Body, Implicit, PortKind};
+use super::foreign::ForeignBlock;
 use super::frame::{Frame, FramePort};
 use super::memory_module::MemoryModule;
 use super::module::Module;
@@ -27,6 +29,7 @@ pub(super) struct Lowered {
     /// Indices of the modules of its children.
     pub children: Vec<usize>,
     summary: String,
+    foreign: Option<Rc<ForeignBlock>>,
     body: Body,
     implicit: Implicit,
 }
@@ -79,7 +82,10 @@ impl Library {
         let children: Vec<usize> = module.children.iter().map(|child| self.add(&child.module, false)).collect();
         let below: Vec<Implicit> = children.iter().map(|&child| self.modules[child].implicit).collect();
         let graph = Graph::of(module);
-        let (body, implicit) = emit::body(&graph, &below, is_top);
+        let (body, implicit) = match &module.foreign {
+            Some(foreign) => (foreign.body(&module.unit), Implicit { clk: foreign.is_clocked(), rst: false }),
+            None => emit::body(&graph, &below, is_top),
+        };
         let content = (module.unit.clone(), module.parameters.clone(), children.clone(), body.clone());
         let index = *self.by_content.entry(content).or_insert(self.modules.len());
         if index == self.modules.len() {
@@ -91,6 +97,7 @@ impl Library {
                 memories: Storage::of(&graph),
                 children,
                 summary: module.summary.clone(),
+                foreign: module.foreign.clone(),
                 body,
                 implicit,
             });
@@ -120,12 +127,17 @@ impl Library {
     /// Verilog text of all modules but the first `beside`, parents before children: a file named after the top starts with it.
     pub fn verilog(&self, names: &[String], beside: usize) -> String {
         let modules = self.modules.iter().zip(names).skip(beside);
-        let mut frames: Vec<_> = modules.rev().map(|(module, name)| frame(module, name, names).verilog()).collect();
+        let text = |(module, name): (&Lowered, &String)| match &module.foreign {
+            Some(foreign) => foreign.verilog(name, &header(module)),
+            None => frame(module, name, names).verilog(),
+        };
+        let mut frames: Vec<_> = modules.rev().map(text).collect();
         let known = self.memory_modules(0..beside);
         let memories = self.memory_modules(beside..self.modules.len());
         frames.extend(memories.difference(&known).map(|memory| memory.verilog()));
+        let foreign = self.modules.iter().skip(beside).any(|module| module.foreign.is_some());
         let text = frames.join("\n");
-        if frames.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
+        if foreign || frames.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
     }
 
     /// The modules of the memories in some of the modules.
@@ -153,9 +165,13 @@ impl Library {
     }
 }
 
+/// What stands above a module: its summary and its parameters.
+fn header(module: &Lowered) -> Vec<String> {
+    let parameters = module.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
+    [module.summary.clone()].into_iter().chain(parameters).collect()
+}
+
 fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
-    let mut header = vec![module.summary.clone()];
-    header.extend(module.parameters.iter().map(|(name, value)| format!("{name} = {value}")));
     let mut body = module.body.before.clone();
     let mut after_short = None;
     for ((instance, connections), &child) in module.body.instances.iter().zip(&module.children) {
@@ -174,5 +190,5 @@ fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
     body += &module.body.after;
     let ports = module.body.ports.iter();
     let ports = ports.map(|(name, width, kind)| FramePort { name: name.clone(), width: *width, kind: *kind }).collect();
-    Frame { name: name.into(), header, ports, body }
+    Frame { name: name.into(), header: header(module), ports, body }
 }

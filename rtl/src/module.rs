@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::arena::Lease;
 use super::error::{FaultKind, Place};
 use super::expression::{Expr, Node, Primitive, SignalRef, lit};
+use super::foreign::ForeignBlock;
 use super::handle::{Reg, Wire};
 use super::instance::Child;
 use super::interface::StreamDeclaration;
@@ -40,6 +41,8 @@ pub struct Module {
     pub(super) assertions: Vec<Assertion>,
     pub(super) faults: Vec<(FaultKind, Place)>,
     pub(super) names: HashSet<String>,
+    /// The rust-hdl block that this module is, where it has no description of ours.
+    pub(super) foreign: Option<Rc<ForeignBlock>>,
     _lease: Lease,
 }
 
@@ -92,6 +95,11 @@ pub(super) enum Source {
         child: usize,
         port: usize,
     },
+    /// An output of a rust-hdl block.
+    BlockOutput {
+        /// The inputs that may reach it within the cycle.
+        follows: Vec<usize>,
+    },
 }
 
 /// What a register takes at the clock edge.
@@ -120,6 +128,7 @@ impl Module {
             assertions: vec![],
             faults: vec![],
             names: HashSet::from(["clk".into(), "rst".into()]),
+            foreign: None,
             _lease: Lease::new(),
         };
         module.check_name(unit);

@@ -1,5 +1,6 @@
 //! The hardware front end: faults, text, and what the tools make of it.
 
+mod blocks;
 mod expressions;
 mod faults;
 mod lint;
