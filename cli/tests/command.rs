@@ -201,7 +201,9 @@ fn generated_verilog_is_the_same_every_time_and_accepted_by_every_tool() {
     // What a scene's hardware was generated from is a configuration that generates it again.
     let config = fs::read_to_string(workplace.path().join("first/config.toml")).expect("it was written");
     workplace.write("scene.toml", &config);
-    workplace.succeeds(&["gen", "scene.toml", "-o", "second"]);
+    workplace.succeeds(&["gen", "scene.toml", "-o", "second", "--rust-hdl"]);
+    let block = fs::read_to_string(workplace.path().join("second/splat_top.rs")).expect("it was asked for");
+    assert!(block.contains("pub struct SplatTop {") && block.contains("include_str!(\"splat_top.v\")"), "{block}");
     let names = files["files"].as_array().expect("a list of files");
     assert!(!names.is_empty());
     for name in names {

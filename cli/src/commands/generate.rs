@@ -15,6 +15,9 @@ pub struct Arguments {
     /// The folder to write into; made if missing.
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
+    /// Also writes the core as a block for designs in rust-hdl, a Rust file that includes the Verilog beside it.
+    #[arg(long)]
+    rust_hdl: bool,
     /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
@@ -50,10 +53,19 @@ pub fn write_package(package: &Package, folder: &Path) -> Result<Vec<PathBuf>, F
 /// Generates a core into a folder.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let name = scene_name(&arguments.source);
-    let package = match configuration(arguments)? {
-        Configuration::Splat(config) => Package::splat(&name, &splat::SplatCore::generate(&config)?, &config)?,
-        Configuration::Search(config) => Package::search(&name, &search::SearchCore::generate(&config)?, &config)?,
+    let (mut package, design) = match configuration(arguments)? {
+        Configuration::Splat(config) => {
+            let core = splat::SplatCore::generate(&config)?;
+            (Package::splat(&name, &core, &config)?, core.design)
+        }
+        Configuration::Search(config) => {
+            let core = search::SearchCore::generate(&config)?;
+            (Package::search(&name, &core, &config)?, core.design)
+        }
     };
+    if arguments.rust_hdl {
+        package.add_rust_hdl(&design);
+    }
     let files = write_package(&package, &arguments.output)?;
     let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
     output.print(&json!({ "top": package.top, "files": names }), &names.join("\n"));

@@ -139,6 +139,13 @@ impl Package {
         self.files.push(File { name: name.into(), text, role });
     }
 
+    /// Adds the core as a block for designs in rust-hdl.
+    pub fn add_rust_hdl(&mut self, design: &Design) {
+        let words = self.top.split('_').filter_map(|word| Some((word.get(..1)?.to_uppercase(), word.get(1..)?)));
+        let name: String = words.map(|(initial, rest)| initial + rest).collect();
+        self.add(format!("{}.rs", self.top), design.rust_hdl_struct(&name), Role::Document);
+    }
+
     /// The AXI top, and its registers for people and for C.
     fn add_bus(&mut self, bus: &Bus, interface: &Interface) {
         self.add(format!("{}.v", bus.design.top()), bus.design.verilog().to_owned(), Role::Bus);
