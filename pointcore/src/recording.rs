@@ -1,7 +1,7 @@
 //! What a golden model did at its ports in every cycle, as vectors for a test.
 
 use pointcore_contract::Direction;
-use pointcore_contract::splat::Port;
+use pointcore_contract::Port;
 use rtl::StreamDeclaration;
 use std::fmt::Write as _;
 

@@ -2,7 +2,8 @@
 
 use super::config::BORDER_BYTES;
 use crate::search;
-use crate::splat::{self, ports as ports_a};
+use crate::splat::records::Uniforms;
+use crate::{fields, splat};
 
 /// Address of `id`.
 pub const ID: u32 = 0x000;
@@ -203,12 +204,12 @@ fn base(name: &str, address: u32, what: &str) -> Register {
 /// The registers of the renderer, by address.
 #[must_use]
 pub fn splat(config: &splat::Config) -> Vec<Register> {
-    let mut map = common(SPLAT, &ports_a::EVENTS);
+    let mut map = common(SPLAT, &splat::units::events(config));
     map.push(base("buffer_base", SETTINGS, "the reconstruction buffer"));
     let width = config.geometry.width();
-    map.extend((UNIFORMS..).step_by(4).zip(ports_a::UNIFORMS).map(|(address, name)| {
-        let doc = format!("uniform `{name}`, in {}", config.uniform_format(name));
-        Register::new(name, address, Kind::Uniform, width, doc)
+    map.extend((UNIFORMS..).step_by(4).zip(fields::<Uniforms>(config)).map(|(address, field)| {
+        let doc = format!("uniform `{}`, in {}", field.name, config.uniform_format(&field.name));
+        Register::new(&field.name, address, Kind::Uniform, width, doc)
     }));
     map
 }

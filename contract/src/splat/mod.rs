@@ -3,15 +3,11 @@
 pub mod attribute;
 pub mod config;
 pub mod division;
-mod lists;
-pub mod ports;
 pub mod raster;
 pub mod records;
 pub mod units;
 
-pub use crate::{Direction, Port};
 pub use attribute::{AttributeFormat, Fraction};
 pub use config::{Config, ConfigError, Feature};
 pub use division::Division;
 pub use raster::{Coefficient, RasterFormat, UniformFormat};
-pub use records::Field;

@@ -1,6 +1,6 @@
 //! What holds of every unit's ports.
 
-use pointcore_contract::splat::{Direction, Port};
+use pointcore_contract::{Direction, Port};
 use rtl::{self, Module, elaborate};
 
 fn spec_port(port: &rtl::Port) -> Port {

@@ -10,10 +10,9 @@ mod pixel;
 mod sample;
 mod uniforms;
 
-pub use super::lists::*;
 pub use copy::{HeapEntry, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileRectangle};
 pub use footprint::{Band, DepthPlane, Footprint};
-pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel};
+pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport};
 

@@ -1,9 +1,9 @@
 //! Pixels of the reconstruction buffer and what becomes of them.
 
 use super::{ATTRIBUTES, PIXEL_BITS, attribute_name, made_bits};
-use crate::record;
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
+use crate::{record, width};
 
 /// A pixel of the reconstruction buffer.
 #[record(config: Config)]
@@ -23,6 +23,12 @@ pub struct Pixel {
     #[name(attribute_name(config, i))]
     #[bits(made_bits(config, i, config.attribute.sum_width()))]
     pub attributes: [u64; ATTRIBUTES],
+}
+
+/// Bytes a pixel takes in the reconstruction buffer.
+#[must_use]
+pub fn pixel_bytes(config: &Config) -> u32 {
+    width::<Pixel>(config).div_ceil(u8::BITS)
 }
 
 /// A pixel with its place in the reconstruction buffer.
