@@ -4975,7 +4975,7 @@ module splat_heap (
     reg [11:0] alive_even, alive_odd;
     reg occupied, full, fresh_epoch_blocked;
     reg [11:0] current;
-    reg sweep, last_epoch;
+    reg lap, last_epoch;
     reg [11:0] newcomer_tile;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -4984,49 +4984,50 @@ module splat_heap (
     wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
     wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
     wire [40:0] stage_0_below_entry;
-    wire [28:0] stage_0_below_rival;
+    wire [28:0] stage_0_below_sibling;
     wire [1:0] stage_0_below_row;
-    wire [40:0] stage_2_rise_entry;
-    wire stage_2_rise_exists, stage_2_rise_ahead, stage_2_rise_right, stage_2_rise_childless;
-    wire [1:0] stage_2_rise_node;
+    wire [40:0] stage_2_promoted_entry;
+    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
+    wire [1:0] stage_2_promoted_node;
     wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
     wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
     wire [40:0] stage_2_below_entry;
-    wire [28:0] stage_2_below_rival;
+    wire [28:0] stage_2_below_sibling;
     wire [3:0] stage_2_below_row;
-    wire [40:0] stage_4_rise_entry;
-    wire stage_4_rise_exists, stage_4_rise_ahead, stage_4_rise_right, stage_4_rise_childless;
-    wire [3:0] stage_4_rise_node;
+    wire [40:0] stage_4_promoted_entry;
+    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
+    wire [3:0] stage_4_promoted_node;
     wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
     wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
     wire [40:0] stage_4_below_entry;
-    wire [28:0] stage_4_below_rival;
+    wire [28:0] stage_4_below_sibling;
     wire [5:0] stage_4_below_row;
-    wire [40:0] stage_6_rise_entry;
-    wire stage_6_rise_exists, stage_6_rise_ahead, stage_6_rise_right, stage_6_rise_childless;
-    wire [5:0] stage_6_rise_node;
+    wire [40:0] stage_6_promoted_entry;
+    wire stage_6_promoted_exists, stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
+    wire [5:0] stage_6_promoted_node;
     wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
     wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
     wire [40:0] stage_6_below_entry;
-    wire [28:0] stage_6_below_rival;
+    wire [28:0] stage_6_below_sibling;
     wire [7:0] stage_6_below_row;
-    wire [40:0] stage_8_rise_entry;
-    wire stage_8_rise_exists, stage_8_rise_ahead, stage_8_rise_right, stage_8_rise_childless;
-    wire [7:0] stage_8_rise_node;
+    wire [40:0] stage_8_promoted_entry;
+    wire stage_8_promoted_exists, stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
+    wire [7:0] stage_8_promoted_node;
     wire stage_8_below_valid, stage_8_below_hole, stage_8_below_carry, stage_8_below_right;
     wire stage_8_below_left_exists, stage_8_below_right_exists, stage_8_below_follows;
     wire [40:0] stage_8_below_entry;
-    wire [28:0] stage_8_below_rival;
+    wire [28:0] stage_8_below_sibling;
     wire [9:0] stage_8_below_row;
-    wire [40:0] stage_10_rise_entry;
-    wire stage_10_rise_exists, stage_10_rise_ahead, stage_10_rise_right, stage_10_rise_childless;
-    wire [9:0] stage_10_rise_node;
+    wire [40:0] stage_10_promoted_entry;
+    wire stage_10_promoted_exists, stage_10_promoted_ahead, stage_10_promoted_right;
+    wire stage_10_promoted_childless;
+    wire [9:0] stage_10_promoted_node;
 
     wire begins = ends & ~lower;
     wire pop = begins & (occupied & out_queue_in_ready);
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
-    wire newcomer_sweep = sweep ^ (newcomer_tile < current);
+    wire newcomer_lap = lap ^ (newcomer_tile < current);
     wire term_1 = push & ~arrival[15];
     wire term_2 = push & arrival[15];
 
@@ -5042,108 +5043,113 @@ module splat_heap (
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_rival(29'd0),
-        .newcomer_sweep(newcomer_sweep),
-        .below_rise_entry(stage_2_rise_entry), .below_rise_exists(stage_2_rise_exists),
-        .below_rise_ahead(stage_2_rise_ahead), .below_rise_right(stage_2_rise_right),
-        .below_rise_childless(stage_2_rise_childless), .below_rise_node(stage_2_rise_node),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
+        .newcomer_lap(newcomer_lap),
+        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
+        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
+        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
         .root(stage_0_root),
         .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
         .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
         .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
+        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
+        .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry), .step_rival(stage_0_below_rival), .step_row(stage_0_below_row),
-        .below_rise_entry(stage_4_rise_entry), .below_rise_exists(stage_4_rise_exists),
-        .below_rise_ahead(stage_4_rise_ahead), .below_rise_right(stage_4_rise_right),
-        .below_rise_childless(stage_4_rise_childless), .below_rise_node(stage_4_rise_node),
-        .rise_entry(stage_2_rise_entry), .rise_exists(stage_2_rise_exists), .rise_ahead(stage_2_rise_ahead),
-        .rise_right(stage_2_rise_right), .rise_childless(stage_2_rise_childless),
-        .rise_node(stage_2_rise_node),
+        .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
+        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
+        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
+        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
+        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
+        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
+        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
         .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
         .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
         .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
+        .below_entry(stage_2_below_entry), .below_sibling(stage_2_below_sibling),
+        .below_row(stage_2_below_row)
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry), .step_rival(stage_2_below_rival), .step_row(stage_2_below_row),
-        .below_rise_entry(stage_6_rise_entry), .below_rise_exists(stage_6_rise_exists),
-        .below_rise_ahead(stage_6_rise_ahead), .below_rise_right(stage_6_rise_right),
-        .below_rise_childless(stage_6_rise_childless), .below_rise_node(stage_6_rise_node),
-        .rise_entry(stage_4_rise_entry), .rise_exists(stage_4_rise_exists), .rise_ahead(stage_4_rise_ahead),
-        .rise_right(stage_4_rise_right), .rise_childless(stage_4_rise_childless),
-        .rise_node(stage_4_rise_node),
+        .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
+        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_exists(stage_6_promoted_exists),
+        .below_promoted_ahead(stage_6_promoted_ahead), .below_promoted_right(stage_6_promoted_right),
+        .below_promoted_childless(stage_6_promoted_childless), .below_promoted_node(stage_6_promoted_node),
+        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
+        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
+        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node),
         .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
         .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
         .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
+        .below_entry(stage_4_below_entry), .below_sibling(stage_4_below_sibling),
+        .below_row(stage_4_below_row)
     );
 
     splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry), .step_rival(stage_4_below_rival), .step_row(stage_4_below_row),
-        .below_rise_entry(stage_8_rise_entry), .below_rise_exists(stage_8_rise_exists),
-        .below_rise_ahead(stage_8_rise_ahead), .below_rise_right(stage_8_rise_right),
-        .below_rise_childless(stage_8_rise_childless), .below_rise_node(stage_8_rise_node),
-        .rise_entry(stage_6_rise_entry), .rise_exists(stage_6_rise_exists), .rise_ahead(stage_6_rise_ahead),
-        .rise_right(stage_6_rise_right), .rise_childless(stage_6_rise_childless),
-        .rise_node(stage_6_rise_node),
+        .step_entry(stage_4_below_entry), .step_sibling(stage_4_below_sibling), .step_row(stage_4_below_row),
+        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_exists(stage_8_promoted_exists),
+        .below_promoted_ahead(stage_8_promoted_ahead), .below_promoted_right(stage_8_promoted_right),
+        .below_promoted_childless(stage_8_promoted_childless), .below_promoted_node(stage_8_promoted_node),
+        .promoted_entry(stage_6_promoted_entry), .promoted_exists(stage_6_promoted_exists),
+        .promoted_ahead(stage_6_promoted_ahead), .promoted_right(stage_6_promoted_right),
+        .promoted_childless(stage_6_promoted_childless), .promoted_node(stage_6_promoted_node),
         .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
         .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
         .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
+        .below_entry(stage_6_below_entry), .below_sibling(stage_6_below_sibling),
+        .below_row(stage_6_below_row)
     );
 
     splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry), .step_rival(stage_6_below_rival), .step_row(stage_6_below_row),
-        .below_rise_entry(stage_10_rise_entry), .below_rise_exists(stage_10_rise_exists),
-        .below_rise_ahead(stage_10_rise_ahead), .below_rise_right(stage_10_rise_right),
-        .below_rise_childless(stage_10_rise_childless), .below_rise_node(stage_10_rise_node),
-        .rise_entry(stage_8_rise_entry), .rise_exists(stage_8_rise_exists), .rise_ahead(stage_8_rise_ahead),
-        .rise_right(stage_8_rise_right), .rise_childless(stage_8_rise_childless),
-        .rise_node(stage_8_rise_node),
+        .step_entry(stage_6_below_entry), .step_sibling(stage_6_below_sibling), .step_row(stage_6_below_row),
+        .below_promoted_entry(stage_10_promoted_entry), .below_promoted_exists(stage_10_promoted_exists),
+        .below_promoted_ahead(stage_10_promoted_ahead), .below_promoted_right(stage_10_promoted_right),
+        .below_promoted_childless(stage_10_promoted_childless), .below_promoted_node(stage_10_promoted_node),
+        .promoted_entry(stage_8_promoted_entry), .promoted_exists(stage_8_promoted_exists),
+        .promoted_ahead(stage_8_promoted_ahead), .promoted_right(stage_8_promoted_right),
+        .promoted_childless(stage_8_promoted_childless), .promoted_node(stage_8_promoted_node),
         .below_valid(stage_8_below_valid), .below_hole(stage_8_below_hole), .below_carry(stage_8_below_carry),
         .below_right(stage_8_below_right), .below_left_exists(stage_8_below_left_exists),
         .below_right_exists(stage_8_below_right_exists), .below_follows(stage_8_below_follows),
-        .below_entry(stage_8_below_entry), .below_rival(stage_8_below_rival), .below_row(stage_8_below_row)
+        .below_entry(stage_8_below_entry), .below_sibling(stage_8_below_sibling),
+        .below_row(stage_8_below_row)
     );
 
     splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
         .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
         .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
-        .step_entry(stage_8_below_entry), .step_rival(stage_8_below_rival), .step_row(stage_8_below_row),
-        .rise_entry(stage_10_rise_entry), .rise_exists(stage_10_rise_exists),
-        .rise_ahead(stage_10_rise_ahead), .rise_right(stage_10_rise_right),
-        .rise_childless(stage_10_rise_childless), .rise_node(stage_10_rise_node)
+        .step_entry(stage_8_below_entry), .step_sibling(stage_8_below_sibling), .step_row(stage_8_below_row),
+        .promoted_entry(stage_10_promoted_entry), .promoted_exists(stage_10_promoted_exists),
+        .promoted_ahead(stage_10_promoted_ahead), .promoted_right(stage_10_promoted_right),
+        .promoted_childless(stage_10_promoted_childless), .promoted_node(stage_10_promoted_node)
     );
 
     always @(posedge clk) begin
@@ -5158,7 +5164,7 @@ module splat_heap (
             full <= 1'd0;
             fresh_epoch_blocked <= 1'd0;
             current <= 12'd0;
-            sweep <= 1'd0;
+            lap <= 1'd0;
         end else begin
             ends <= ~ends;
             occupied <= |count;
@@ -5175,7 +5181,7 @@ module splat_heap (
             end
             if (pop) begin
                 current <= stage_0_root[39:28];
-                sweep <= stage_0_root[40];
+                lap <= stage_0_root[40];
             end
         end
     end
@@ -5194,7 +5200,7 @@ endmodule
 module splat_heap_stage_l10 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5204,32 +5210,32 @@ module splat_heap_stage_l10 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [9:0] step_row,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [9:0] rise_node
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [9:0] promoted_node
 );
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
-    reg compared_right_below, compared_left_count, settled_valid, settled_hole, settled_carry;
-    reg settled_existed, settled_ahead, settled_rival_exists, settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below, settled_left_count;
+    reg compared_right_below, compared_left_count, write_back_valid, write_back_hole, write_back_carry;
+    reg write_back_existed, write_back_ahead, write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below, write_back_left_count;
     reg [43:0] stored;
     reg [10:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     reg [11:0] last_row, last_row_before;
     wire [43:0] left_even_shown;
     reg [43:0] left_even_found;
@@ -5242,83 +5248,84 @@ module splat_heap_stage_l10 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_1 = compared_exists & ~sibling_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
     wire [11:0] choice_3 = lower ? last_row_before : {1'd0, row_before};
     wire side = choice_3[0];
-    wire term_4 = ends & (settled_valid & ~side);
-    wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire term_4 = ends & (write_back_valid & ~side);
+    wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
     wire choice_5 = lower ? 1'd0 : compared_exists;
-    wire term_6 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_5) & term_6) : settled_ahead;
+    wire term_6 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_1);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_5) & term_6) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_7 = settled_hole & ~settled_carry & choice_5;
-    wire choice_8 = lower ? 1'd0 : compared_right;
-    wire term_9 = settled_right_below & ~(term_7 & choice_8 & (lower ? 1'd0 : term_2));
-    wire term_10 = ~settled_hole & settled_existed;
-    wire term_11 = ~choice_8;
-    wire sum_12 = settled_left_count + ((term_7 & term_11) | (term_10 & term_11));
-    wire [43:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_9 | (term_10 & choice_8), sum_12
-    };
-    wire choice_13 = lower ? compared_hole : step_hole;
-    wire choice_14 = lower ? left_exists_found : step_left_exists;
-    wire choice_15 = lower ? right_exists_found : step_right_exists;
-    wire choice_16 = lower ? compared_follows : step_follows;
-    wire newer = choice_16 & settled_valid;
-    wire [43:0] choice_17 = row[0] ? left_odd_found : left_even_found;
-    wire [43:0] choice_18 = row[0] ? right_odd_found : right_even_found;
-    wire choice_19 = (choice_14 & choice_15) ? (newer ? first_side : (choice_17[2] ^ choice_18[2])) : choice_15;
-    wire goes_right = choice_13 ? choice_19 : lower ? left_full_found : step_right;
+    wire term_7 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_8 = write_back_hole & ~write_back_carry & choice_5;
+    wire choice_9 = lower ? 1'd0 : compared_right;
+    wire term_10 = write_back_right_below & ~(term_8 & choice_9 & (lower ? 1'd0 : term_2));
+    wire term_11 = ~write_back_hole & write_back_existed;
+    wire term_12 = ~choice_9;
+    wire sum_13 = write_back_left_count + ((term_8 & term_12) | (term_11 & term_12));
+    wire [43:0] node_to_store = {entry_to_store, term_7, term_10 | (term_11 & choice_9), sum_13};
+    wire choice_14 = lower ? compared_hole : step_hole;
+    wire choice_15 = lower ? left_exists_found : step_left_exists;
+    wire choice_16 = lower ? right_exists_found : step_right_exists;
+    wire choice_17 = lower ? compared_follows : step_follows;
+    wire newer = choice_17 & write_back_valid;
+    wire [43:0] choice_18 = row[0] ? left_odd_found : left_even_found;
+    wire [43:0] choice_19 = row[0] ? right_odd_found : right_even_found;
+    wire choice_20 = (choice_15 & choice_16) ? (newer ? first_side : (choice_18[2] ^ choice_19[2])) : choice_16;
+    wire goes_right = choice_14 ? choice_20 : lower ? left_full_found : step_right;
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_20 = lower ? {1'd0, step_row} : next_row[10:0];
-    wire term_21 = ends & (settled_valid & side);
+    wire [10:0] choice_21 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire term_22 = ends & (write_back_valid & side);
     wire same_side = goes_right ^ ~side;
-    wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
-    wire [40:0] choice_22 = ~goes_right ? choice_18[43:3] : choice_17[43:3];
-    wire term_23 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
+    wire [40:0] choice_23 = ~goes_right ? choice_19[43:3] : choice_18[43:3];
+    wire term_24 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_24 = compared_carried[40] == sweep;
-    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
-    wire term_27 = joined_25 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_24 : term_27;
-    wire [27:0] joined_28 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_28 < joined_26);
+    wire term_25 = compared_carried[40] == lap;
+    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
+    wire [27:0] joined_28 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_25 : (joined_26 < joined_28);
+    wire [27:0] joined_29 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_29 < joined_27);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_1;
-    assign rise_right = compared_right;
-    assign rise_childless = term_2;
-    assign rise_node = row_before[9:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_1;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_2;
+    assign promoted_node = row_before[9:0];
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_even_nodes (
         .clk(clk),
         .write(term_4 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_20[10:1]), .read_data(left_even_shown)
+        .read(1'd1), .read_address(choice_21[10:1]), .read_data(left_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_odd_nodes (
         .clk(clk),
         .write(term_4 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_20[10:1]), .read_data(left_odd_shown)
+        .read(1'd1), .read_address(choice_21[10:1]), .read_data(left_odd_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_even_nodes (
         .clk(clk),
-        .write(term_21 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_20[10:1]), .read_data(right_even_shown)
+        .write(term_22 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_21[10:1]), .read_data(right_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_odd_nodes (
         .clk(clk),
-        .write(term_21 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_20[10:1]), .read_data(right_odd_shown)
+        .write(term_22 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_21[10:1]), .read_data(right_odd_shown)
     );
 
     always @(posedge clk) begin
@@ -5326,63 +5333,63 @@ module splat_heap_stage_l10 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_13;
+            compared_hole <= choice_14;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_16 & same_side;
+            compared_follows <= choice_17 & same_side;
             compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
-            compared_exists <= goes_right ? choice_15 : choice_14;
+            compared_exists <= goes_right ? choice_16 : choice_15;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_19;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_was_first <= goes_right == choice_20;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_22[40:12];
-            compared_rival_exists <= goes_right ? choice_14 : choice_15;
-            compared_rival_mark <= ~goes_right ? choice_18[2] : choice_17[2];
-            compared_entry <= goes_right ? choice_18[43:3] : choice_17[43:3];
-            compared_right_below <= goes_right ? choice_18[1] : choice_17[1];
-            compared_left_count <= goes_right ? choice_18[0] : choice_17[0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_23);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
-            settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & compared_exists;
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_23[40:12];
+            compared_sibling_exists <= goes_right ? choice_15 : choice_16;
+            compared_sibling_mark <= ~goes_right ? choice_19[2] : choice_18[2];
+            compared_entry <= goes_right ? choice_19[43:3] : choice_18[43:3];
+            compared_right_below <= goes_right ? choice_19[1] : choice_18[1];
+            compared_left_count <= goes_right ? choice_19[0] : choice_18[0];
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_24);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
+            write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & compared_exists;
             stored <= node_to_store;
-            row <= choice_20;
+            row <= choice_21;
             row_before <= row;
             last_row <= next_row;
             last_row_before <= last_row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= chosen_left_count | ~lower;
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
         left_even_found <= left_even_shown;
         left_odd_found <= left_odd_shown;
         right_even_found <= right_even_shown;
         right_odd_found <= right_odd_shown;
     end
 
-    wire _unused = &{1'b0, choice_22[11:0]};
+    wire _unused = &{1'b0, choice_23[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5392,7 +5399,7 @@ endmodule
 module splat_heap_stage_l8 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5402,20 +5409,20 @@ module splat_heap_stage_l8 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [7:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [9:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [7:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [9:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [7:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5424,29 +5431,29 @@ module splat_heap_stage_l8 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [9:0] below_row
 );
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [2:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [2:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [2:0] write_back_left_count;
     reg [45:0] stored;
     reg [8:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     wire [45:0] left_even_shown;
     reg [45:0] left_even_found;
     wire [45:0] left_odd_shown;
@@ -5458,63 +5465,65 @@ module splat_heap_stage_l8 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_1 = compared_exists & ~sibling_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
     wire term_3 = compared_valid & compared_exists;
     wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[45:17] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
     wire choice_5 = lower ? compared_hole : step_hole;
     wire choice_6 = lower ? left_exists_found : step_left_exists;
     wire choice_7 = lower ? right_exists_found : step_right_exists;
     wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & settled_valid;
-    wire [9:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_8 & write_back_valid;
+    wire [9:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_9[0];
-    wire choice_10 = lower ? below_rise_exists : compared_exists;
-    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
+    wire choice_10 = lower ? below_promoted_exists : compared_exists;
+    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire [45:0] choice_12 = row[0] ? left_odd_found : left_even_found;
     wire [45:0] choice_13 = row[0] ? right_odd_found : right_even_found;
     wire choice_14 = (choice_6 & choice_7) ? (newer ? first_side : (choice_12[4] ^ choice_13[4])) : choice_7;
     wire goes_right = choice_5 ? choice_14 : lower ? left_full_found : step_right;
     wire [9:0] next_row = {row, goes_right};
-    wire term_15 = ends & (settled_valid & ~side);
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_16 = settled_hole & ~settled_carry & choice_10;
-    wire choice_17 = lower ? below_rise_right : compared_right;
-    wire term_18 = term_16 & choice_17 & (lower ? below_rise_childless : term_2);
-    wire term_19 = ~settled_hole & settled_existed;
-    wire term_20 = ~choice_17;
-    wire term_21 = term_16 & term_20;
-    wire [2:0] sum_22 = settled_left_count + {{2{term_21}}, term_21 | (term_19 & term_20)};
-    wire [45:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_18) | (term_19 & choice_17), sum_22
-    };
-    wire [8:0] choice_23 = lower ? {1'd0, step_row} : next_row[8:0];
-    wire term_24 = ends & (settled_valid & side);
+    wire term_15 = ends & (write_back_valid & ~side);
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_16 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_17 = write_back_hole & ~write_back_carry & choice_10;
+    wire choice_18 = lower ? below_promoted_right : compared_right;
+    wire term_19 = term_17 & choice_18 & (lower ? below_promoted_childless : term_2);
+    wire term_20 = ~write_back_hole & write_back_existed;
+    wire term_21 = (write_back_right_below & ~term_19) | (term_20 & choice_18);
+    wire term_22 = ~choice_18;
+    wire term_23 = term_17 & term_22;
+    wire [2:0] sum_24 = write_back_left_count + {{2{term_23}}, term_23 | (term_20 & term_22)};
+    wire [45:0] node_to_store = {entry_to_store, term_16, term_21, sum_24};
+    wire [8:0] choice_25 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire term_26 = ends & (write_back_valid & side);
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_25 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
-    wire term_26 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [40:0] choice_27 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
+    wire term_28 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_27 = compared_carried[40] == sweep;
-    wire [27:0] joined_28 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_29 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_27 : (joined_28 < joined_29);
-    wire term_30 = joined_28 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_27 : term_30;
-    wire [27:0] joined_31 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_31 < joined_29);
+    wire term_29 = compared_carried[40] == lap;
+    wire [27:0] joined_30 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_31 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_29 : (joined_30 < joined_31);
+    wire [27:0] joined_32 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_29 : (joined_30 < joined_32);
+    wire [27:0] joined_33 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_33 < joined_31);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_1;
-    assign rise_right = compared_right;
-    assign rise_childless = term_2;
-    assign rise_node = row_before[7:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_1;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_2;
+    assign promoted_node = row_before[7:0];
     assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -5523,31 +5532,31 @@ module splat_heap_stage_l8 (
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
     assign below_entry = choice_4;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_even_nodes (
         .clk(clk),
         .write(term_15 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_23[8:1]), .read_data(left_even_shown)
+        .read(1'd1), .read_address(choice_25[8:1]), .read_data(left_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_odd_nodes (
         .clk(clk),
         .write(term_15 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_23[8:1]), .read_data(left_odd_shown)
+        .read(1'd1), .read_address(choice_25[8:1]), .read_data(left_odd_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_even_nodes (
         .clk(clk),
-        .write(term_24 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_23[8:1]), .read_data(right_even_shown)
+        .write(term_26 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25[8:1]), .read_data(right_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_odd_nodes (
         .clk(clk),
-        .write(term_24 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_23[8:1]), .read_data(right_odd_shown)
+        .write(term_26 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25[8:1]), .read_data(right_odd_shown)
     );
 
     always @(posedge clk) begin
@@ -5555,13 +5564,13 @@ module splat_heap_stage_l8 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? term_3 : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
@@ -5574,42 +5583,42 @@ module splat_heap_stage_l8 (
             compared_exists <= goes_right ? choice_7 : choice_6;
             compared_right <= goes_right;
             compared_was_first <= goes_right == choice_14;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_25[40:12];
-            compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? choice_13[4] : choice_12[4];
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_27[40:12];
+            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling_mark <= ~goes_right ? choice_13[4] : choice_12[4];
             compared_entry <= goes_right ? choice_13[45:5] : choice_12[45:5];
             compared_right_below <= goes_right ? choice_13[3] : choice_12[3];
             compared_left_count <= goes_right ? choice_13[2:0] : choice_12[2:0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_26);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
-            settled_entry <= first;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & {3{compared_exists}};
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_28);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
+            write_back_entry <= first;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & {3{compared_exists}};
             stored <= node_to_store;
-            row <= choice_23;
+            row <= choice_25;
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= |chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
         left_even_found <= left_even_shown;
         left_odd_found <= left_odd_shown;
         right_even_found <= right_even_shown;
         right_odd_found <= right_odd_shown;
     end
 
-    wire _unused = &{1'b0, choice_25[11:0]};
+    wire _unused = &{1'b0, choice_27[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5619,7 +5628,7 @@ endmodule
 module splat_heap_stage_l6 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5629,20 +5638,20 @@ module splat_heap_stage_l6 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [5:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [7:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [5:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [7:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [5:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5651,7 +5660,7 @@ module splat_heap_stage_l6 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [7:0] below_row
 );
     (* ram_style = "distributed" *)
@@ -5661,79 +5670,81 @@ module splat_heap_stage_l6 (
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [4:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [4:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [4:0] write_back_left_count;
     reg [47:0] stored;
     reg [6:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     reg [47:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_1 = compared_exists & ~sibling_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
     wire term_3 = compared_valid & compared_exists;
     wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[47:19] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
     wire choice_5 = lower ? compared_hole : step_hole;
     wire choice_6 = lower ? left_exists_found : step_left_exists;
     wire choice_7 = lower ? right_exists_found : step_right_exists;
     wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & settled_valid;
-    wire [7:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_8 & write_back_valid;
+    wire [7:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_9[0];
-    wire choice_10 = lower ? below_rise_exists : compared_exists;
-    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
+    wire choice_10 = lower ? below_promoted_exists : compared_exists;
+    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_7;
     wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
     wire [40:0] choice_13 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_15 = settled_hole & ~settled_carry & choice_10;
-    wire choice_16 = lower ? below_rise_right : compared_right;
-    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
-    wire term_18 = ~settled_hole & settled_existed;
-    wire term_19 = ~choice_16;
-    wire term_20 = term_15 & term_19;
-    wire [4:0] sum_21 = settled_left_count + {{4{term_20}}, term_20 | (term_18 & term_19)};
-    wire [47:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
-    };
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
+    wire choice_17 = lower ? below_promoted_right : compared_right;
+    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
+    wire term_19 = ~write_back_hole & write_back_existed;
+    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
+    wire term_21 = ~choice_17;
+    wire term_22 = term_16 & term_21;
+    wire [4:0] sum_23 = write_back_left_count + {{4{term_22}}, term_22 | (term_19 & term_21)};
+    wire [47:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_22 = compared_carried[40] == sweep;
-    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
-    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
-    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
+    wire term_24 = compared_carried[40] == lap;
+    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
+    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
+    wire [27:0] joined_28 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_1;
-    assign rise_right = compared_right;
-    assign rise_childless = term_2;
-    assign rise_node = row_before[5:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_1;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_2;
+    assign promoted_node = row_before[5:0];
     assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -5742,7 +5753,7 @@ module splat_heap_stage_l6 (
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
     assign below_entry = choice_4;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     always @(posedge clk) begin
@@ -5750,13 +5761,13 @@ module splat_heap_stage_l6 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? term_3 : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
@@ -5769,42 +5780,42 @@ module splat_heap_stage_l6 (
             compared_exists <= goes_right ? choice_7 : choice_6;
             compared_right <= goes_right;
             compared_was_first <= goes_right == choice_12;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_13[40:12];
-            compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_13[40:12];
+            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
             compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
             compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
             compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
-            settled_entry <= first;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & {5{compared_exists}};
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
+            write_back_entry <= first;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & {5{compared_exists}};
             stored <= node_to_store;
             row <= lower ? {1'd0, step_row} : next_row[6:0];
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= |chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) left_nodes[choice_9[7:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[7:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) right_nodes[choice_9[7:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[choice_9[7:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -5818,7 +5829,7 @@ endmodule
 module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5828,20 +5839,20 @@ module splat_heap_stage_l4 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [3:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [5:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [3:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [5:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [3:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5850,7 +5861,7 @@ module splat_heap_stage_l4 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [5:0] below_row
 );
     (* ram_style = "distributed" *)
@@ -5860,79 +5871,81 @@ module splat_heap_stage_l4 (
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [6:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [6:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [6:0] write_back_left_count;
     reg [49:0] stored;
     reg [4:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     reg [49:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_1 = compared_exists & ~sibling_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
     wire term_3 = compared_valid & compared_exists;
     wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[49:21] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
     wire choice_5 = lower ? compared_hole : step_hole;
     wire choice_6 = lower ? left_exists_found : step_left_exists;
     wire choice_7 = lower ? right_exists_found : step_right_exists;
     wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & settled_valid;
-    wire [5:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_8 & write_back_valid;
+    wire [5:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_9[0];
-    wire choice_10 = lower ? below_rise_exists : compared_exists;
-    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
+    wire choice_10 = lower ? below_promoted_exists : compared_exists;
+    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_7;
     wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
     wire [40:0] choice_13 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_15 = settled_hole & ~settled_carry & choice_10;
-    wire choice_16 = lower ? below_rise_right : compared_right;
-    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
-    wire term_18 = ~settled_hole & settled_existed;
-    wire term_19 = ~choice_16;
-    wire term_20 = term_15 & term_19;
-    wire [6:0] sum_21 = settled_left_count + {{6{term_20}}, term_20 | (term_18 & term_19)};
-    wire [49:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
-    };
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
+    wire choice_17 = lower ? below_promoted_right : compared_right;
+    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
+    wire term_19 = ~write_back_hole & write_back_existed;
+    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
+    wire term_21 = ~choice_17;
+    wire term_22 = term_16 & term_21;
+    wire [6:0] sum_23 = write_back_left_count + {{6{term_22}}, term_22 | (term_19 & term_21)};
+    wire [49:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire term_22 = compared_carried[40] == sweep;
-    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
-    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
-    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
+    wire term_24 = compared_carried[40] == lap;
+    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
+    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
+    wire [27:0] joined_28 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_1;
-    assign rise_right = compared_right;
-    assign rise_childless = term_2;
-    assign rise_node = row_before[3:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_1;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_2;
+    assign promoted_node = row_before[3:0];
     assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -5941,7 +5954,7 @@ module splat_heap_stage_l4 (
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
     assign below_entry = choice_4;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     always @(posedge clk) begin
@@ -5949,13 +5962,13 @@ module splat_heap_stage_l4 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? term_3 : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
@@ -5968,42 +5981,42 @@ module splat_heap_stage_l4 (
             compared_exists <= goes_right ? choice_7 : choice_6;
             compared_right <= goes_right;
             compared_was_first <= goes_right == choice_12;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_13[40:12];
-            compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_13[40:12];
+            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
             compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
             compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
             compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
-            settled_entry <= first;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & {7{compared_exists}};
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
+            write_back_entry <= first;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & {7{compared_exists}};
             stored <= node_to_store;
             row <= lower ? {1'd0, step_row} : next_row[4:0];
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= |chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) left_nodes[choice_9[5:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[5:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) right_nodes[choice_9[5:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[choice_9[5:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -6017,7 +6030,7 @@ endmodule
 module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -6027,20 +6040,20 @@ module splat_heap_stage_l2 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [1:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [3:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [1:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [3:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [1:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -6049,7 +6062,7 @@ module splat_heap_stage_l2 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [3:0] below_row
 );
     (* ram_style = "distributed" *)
@@ -6059,79 +6072,81 @@ module splat_heap_stage_l2 (
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [8:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [8:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [8:0] write_back_left_count;
     reg [51:0] stored;
     reg [2:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     reg [51:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_1 = compared_exists & ~sibling_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
     wire term_3 = compared_valid & compared_exists;
     wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[51:23] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
     wire choice_5 = lower ? compared_hole : step_hole;
     wire choice_6 = lower ? left_exists_found : step_left_exists;
     wire choice_7 = lower ? right_exists_found : step_right_exists;
     wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & settled_valid;
-    wire [3:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_8 & write_back_valid;
+    wire [3:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_9[0];
-    wire choice_10 = lower ? below_rise_exists : compared_exists;
-    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
+    wire choice_10 = lower ? below_promoted_exists : compared_exists;
+    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_7;
     wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
     wire [40:0] choice_13 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_15 = settled_hole & ~settled_carry & choice_10;
-    wire choice_16 = lower ? below_rise_right : compared_right;
-    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
-    wire term_18 = ~settled_hole & settled_existed;
-    wire term_19 = ~choice_16;
-    wire term_20 = term_15 & term_19;
-    wire [8:0] sum_21 = settled_left_count + {{8{term_20}}, term_20 | (term_18 & term_19)};
-    wire [51:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
-    };
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
+    wire choice_17 = lower ? below_promoted_right : compared_right;
+    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
+    wire term_19 = ~write_back_hole & write_back_existed;
+    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
+    wire term_21 = ~choice_17;
+    wire term_22 = term_16 & term_21;
+    wire [8:0] sum_23 = write_back_left_count + {{8{term_22}}, term_22 | (term_19 & term_21)};
+    wire [51:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire term_22 = compared_carried[40] == sweep;
-    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
-    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
-    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
+    wire term_24 = compared_carried[40] == lap;
+    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
+    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
+    wire [27:0] joined_28 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_1;
-    assign rise_right = compared_right;
-    assign rise_childless = term_2;
-    assign rise_node = row_before[1:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_1;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_2;
+    assign promoted_node = row_before[1:0];
     assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -6140,7 +6155,7 @@ module splat_heap_stage_l2 (
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
     assign below_entry = choice_4;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     always @(posedge clk) begin
@@ -6148,13 +6163,13 @@ module splat_heap_stage_l2 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? term_3 : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
@@ -6167,42 +6182,42 @@ module splat_heap_stage_l2 (
             compared_exists <= goes_right ? choice_7 : choice_6;
             compared_right <= goes_right;
             compared_was_first <= goes_right == choice_12;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_13[40:12];
-            compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_13[40:12];
+            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
             compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
             compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
             compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
-            settled_entry <= first;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & {9{compared_exists}};
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
+            write_back_entry <= first;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & {9{compared_exists}};
             stored <= node_to_store;
             row <= lower ? {1'd0, step_row} : next_row[2:0];
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= |chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) left_nodes[choice_9[3:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[3:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) right_nodes[choice_9[3:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[choice_9[3:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -6216,7 +6231,7 @@ endmodule
 module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -6226,14 +6241,14 @@ module splat_heap_stage_l0 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
-    input  wire newcomer_sweep,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [1:0] below_rise_node,
+    input  wire [28:0] step_sibling,
+    input  wire newcomer_lap,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [1:0] below_promoted_node,
     output wire [40:0] root,
     output wire below_valid,
     output wire below_hole,
@@ -6243,7 +6258,7 @@ module splat_heap_stage_l0 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [1:0] below_row
 );
     (* ram_style = "distributed" *)
@@ -6253,71 +6268,75 @@ module splat_heap_stage_l0 (
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [10:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [10:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [10:0] write_back_left_count;
     reg [53:0] stored;
     reg row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
-    reg rival_stays_found;
+    reg before_chosen_found, before_sibling_found, left_exists_found, right_exists_found, left_full_found;
+    reg sibling_stays_found;
     reg [53:0] left_shown, right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & settled_valid;
+    wire newer = choice_1 & write_back_valid;
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire choice_2 = lower ? newcomer_sweep : compared_carried[40];
+    wire choice_2 = lower ? newcomer_lap : compared_carried[40];
     wire [40:0] joined_3 = {choice_2, compared_carried[39:0]};
     wire [40:0] first = carried_first ? joined_3 : chosen_entry_found;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
     wire term_4 = compared_valid & compared_exists;
     wire [40:0] choice_5 = carried_first ? chosen_entry_found : joined_3;
-    wire [28:0] rival = compared_rival_stored ? stored[53:25] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
     wire choice_6 = lower ? compared_hole : step_hole;
     wire choice_7 = lower ? left_exists_found : step_left_exists;
     wire choice_8 = lower ? right_exists_found : step_right_exists;
-    wire [1:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire [1:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_9[0];
-    wire choice_10 = lower ? below_rise_exists : compared_exists;
-    wire choice_11 = lower ? below_rise_ahead : (compared_exists & ~rival_stays_found);
-    wire term_12 = (settled_carry | choice_10) & (~settled_rival_exists | settled_ahead | choice_11);
-    wire is_first = settled_hole ? term_12 : settled_ahead;
+    wire choice_10 = lower ? below_promoted_exists : compared_exists;
+    wire choice_11 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays_found);
+    wire term_12 = ~write_back_sibling_exists | write_back_ahead | choice_11;
+    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_12) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_13 = (choice_7 & choice_8) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_8;
     wire goes_right = choice_6 ? choice_13 : lower ? left_full_found : step_right;
     wire [1:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
     wire [40:0] choice_14 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire term_15 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire term_15 = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
     wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire term_16 = settled_hole & ~settled_carry & choice_10;
-    wire choice_17 = lower ? below_rise_right : compared_right;
-    wire choice_18 = lower ? below_rise_childless : ~(left_exists_found | right_exists_found);
-    wire term_19 = ~settled_hole & settled_existed;
-    wire term_20 = (settled_right_below & ~(term_16 & choice_17 & choice_18)) | (term_19 & choice_17);
-    wire term_21 = ~choice_17;
-    wire term_22 = term_16 & term_21;
-    wire [10:0] sum_23 = settled_left_count + {{10{term_22}}, term_22 | (term_19 & term_21)};
-    wire [53:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_20, sum_23};
+    wire term_16 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_17 = write_back_hole & ~write_back_carry & choice_10;
+    wire choice_18 = lower ? below_promoted_right : compared_right;
+    wire choice_19 = lower ? below_promoted_childless : ~(left_exists_found | right_exists_found);
+    wire term_20 = write_back_right_below & ~(term_17 & choice_18 & choice_19);
+    wire term_21 = ~write_back_hole & write_back_existed;
+    wire term_22 = ~choice_18;
+    wire term_23 = term_17 & term_22;
+    wire [10:0] sum_24 = write_back_left_count + {{10{term_23}}, term_23 | (term_21 & term_22)};
+    wire [53:0] node_to_store = {entry_to_store, term_16, term_20 | (term_21 & choice_18), sum_24};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire term_24 = choice_2 == sweep;
-    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
-    wire term_27 = joined_25 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (choice_2 ^ rival[28]) ? term_24 : term_27;
-    wire [27:0] joined_28 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_28 < joined_26);
+    wire term_25 = choice_2 == lap;
+    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
+    wire [27:0] joined_28 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (choice_2 ^ sibling[28]) ? term_25 : (joined_26 < joined_28);
+    wire [27:0] joined_29 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_29 < joined_27);
 
     assign root = newer ? entry_to_store : right_shown[53:13];
     assign below_valid = term_4;
@@ -6328,7 +6347,7 @@ module splat_heap_stage_l0 (
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
     assign below_entry = choice_5;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     always @(posedge clk) begin
@@ -6336,13 +6355,13 @@ module splat_heap_stage_l0 (
             ends <= 1'd1;
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
                 compared_valid <= lower ? term_4 : step_valid;
-                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+                write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
@@ -6355,42 +6374,42 @@ module splat_heap_stage_l0 (
             compared_exists <= goes_right ? choice_8 : choice_7;
             compared_right <= goes_right;
             compared_was_first <= goes_right == choice_13;
-            compared_parent_rival <= lower ? rival : step_rival;
+            compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
-            compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_14[40:12];
-            compared_rival_exists <= goes_right ? choice_7 : choice_8;
-            compared_rival_mark <= ~goes_right ? right_shown[12] : left_shown[12];
+            compared_sibling_stored <= newer & ~same_side;
+            compared_sibling <= choice_14[40:12];
+            compared_sibling_exists <= goes_right ? choice_7 : choice_8;
+            compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
             compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
             compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
             compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
-            settled_hole <= compared_hole;
-            settled_carry <= compared_carry;
-            settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_15);
-            settled_rival_exists <= compared_rival_exists;
-            settled_rival_mark <= compared_rival_stored ? stored[12] : compared_rival_mark;
-            settled_entry <= first;
-            settled_right_below <= chosen_right_below & compared_exists;
-            settled_left_count <= chosen_left_count & {11{compared_exists}};
+            write_back_hole <= compared_hole;
+            write_back_carry <= compared_carry;
+            write_back_existed <= compared_exists;
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_15);
+            write_back_sibling_exists <= compared_sibling_exists;
+            write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
+            write_back_entry <= first;
+            write_back_right_below <= chosen_right_below & compared_exists;
+            write_back_left_count <= chosen_left_count & {11{compared_exists}};
             stored <= node_to_store;
             row <= lower ? 1'd0 : next_row[0];
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
         before_chosen_found <= before_chosen;
-        before_rival_found <= before_rival;
+        before_sibling_found <= before_sibling;
         left_exists_found <= |chosen_left_count;
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
-        rival_stays_found <= rival_stays;
+        sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) left_nodes[choice_9[1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) right_nodes[choice_9[1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[choice_9[1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 

@@ -5201,7 +5201,7 @@ module splat_heap (
     reg [11:0] alive_even, alive_odd;
     reg occupied, full, fresh_epoch_blocked;
     reg [11:0] current;
-    reg sweep, last_epoch;
+    reg lap, last_epoch;
     reg [11:0] newcomer_tile;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -5210,49 +5210,50 @@ module splat_heap (
     wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
     wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
     wire [40:0] stage_0_below_entry;
-    wire [28:0] stage_0_below_rival;
+    wire [28:0] stage_0_below_sibling;
     wire [1:0] stage_0_below_row;
-    wire [40:0] stage_2_rise_entry;
-    wire stage_2_rise_exists, stage_2_rise_ahead, stage_2_rise_right, stage_2_rise_childless;
-    wire [1:0] stage_2_rise_node;
+    wire [40:0] stage_2_promoted_entry;
+    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
+    wire [1:0] stage_2_promoted_node;
     wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
     wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
     wire [40:0] stage_2_below_entry;
-    wire [28:0] stage_2_below_rival;
+    wire [28:0] stage_2_below_sibling;
     wire [3:0] stage_2_below_row;
-    wire [40:0] stage_4_rise_entry;
-    wire stage_4_rise_exists, stage_4_rise_ahead, stage_4_rise_right, stage_4_rise_childless;
-    wire [3:0] stage_4_rise_node;
+    wire [40:0] stage_4_promoted_entry;
+    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
+    wire [3:0] stage_4_promoted_node;
     wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
     wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
     wire [40:0] stage_4_below_entry;
-    wire [28:0] stage_4_below_rival;
+    wire [28:0] stage_4_below_sibling;
     wire [5:0] stage_4_below_row;
-    wire [40:0] stage_6_rise_entry;
-    wire stage_6_rise_exists, stage_6_rise_ahead, stage_6_rise_right, stage_6_rise_childless;
-    wire [5:0] stage_6_rise_node;
+    wire [40:0] stage_6_promoted_entry;
+    wire stage_6_promoted_exists, stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
+    wire [5:0] stage_6_promoted_node;
     wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
     wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
     wire [40:0] stage_6_below_entry;
-    wire [28:0] stage_6_below_rival;
+    wire [28:0] stage_6_below_sibling;
     wire [7:0] stage_6_below_row;
-    wire [40:0] stage_8_rise_entry;
-    wire stage_8_rise_exists, stage_8_rise_ahead, stage_8_rise_right, stage_8_rise_childless;
-    wire [7:0] stage_8_rise_node;
+    wire [40:0] stage_8_promoted_entry;
+    wire stage_8_promoted_exists, stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
+    wire [7:0] stage_8_promoted_node;
     wire stage_8_below_valid, stage_8_below_hole, stage_8_below_carry, stage_8_below_right;
     wire stage_8_below_left_exists, stage_8_below_right_exists, stage_8_below_follows;
     wire [40:0] stage_8_below_entry;
-    wire [28:0] stage_8_below_rival;
+    wire [28:0] stage_8_below_sibling;
     wire [9:0] stage_8_below_row;
-    wire [40:0] stage_10_rise_entry;
-    wire stage_10_rise_exists, stage_10_rise_ahead, stage_10_rise_right, stage_10_rise_childless;
-    wire [9:0] stage_10_rise_node;
+    wire [40:0] stage_10_promoted_entry;
+    wire stage_10_promoted_exists, stage_10_promoted_ahead, stage_10_promoted_right;
+    wire stage_10_promoted_childless;
+    wire [9:0] stage_10_promoted_node;
 
     wire begins = ~lower;
     wire pop = begins & (occupied & out_queue_in_ready);
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
-    wire newcomer_sweep = sweep ^ (newcomer_tile < current);
+    wire newcomer_lap = lap ^ (newcomer_tile < current);
     wire term_1 = push & ~arrival[15];
     wire term_2 = push & arrival[15];
 
@@ -5268,108 +5269,113 @@ module splat_heap (
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_rival(29'd0),
-        .newcomer_sweep(newcomer_sweep),
-        .below_rise_entry(stage_2_rise_entry), .below_rise_exists(stage_2_rise_exists),
-        .below_rise_ahead(stage_2_rise_ahead), .below_rise_right(stage_2_rise_right),
-        .below_rise_childless(stage_2_rise_childless), .below_rise_node(stage_2_rise_node),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
+        .newcomer_lap(newcomer_lap),
+        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
+        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
+        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
         .root(stage_0_root),
         .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
         .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
         .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
+        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
+        .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry), .step_rival(stage_0_below_rival), .step_row(stage_0_below_row),
-        .below_rise_entry(stage_4_rise_entry), .below_rise_exists(stage_4_rise_exists),
-        .below_rise_ahead(stage_4_rise_ahead), .below_rise_right(stage_4_rise_right),
-        .below_rise_childless(stage_4_rise_childless), .below_rise_node(stage_4_rise_node),
-        .rise_entry(stage_2_rise_entry), .rise_exists(stage_2_rise_exists), .rise_ahead(stage_2_rise_ahead),
-        .rise_right(stage_2_rise_right), .rise_childless(stage_2_rise_childless),
-        .rise_node(stage_2_rise_node),
+        .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
+        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
+        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
+        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
+        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
+        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
+        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
         .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
         .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
         .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
+        .below_entry(stage_2_below_entry), .below_sibling(stage_2_below_sibling),
+        .below_row(stage_2_below_row)
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry), .step_rival(stage_2_below_rival), .step_row(stage_2_below_row),
-        .below_rise_entry(stage_6_rise_entry), .below_rise_exists(stage_6_rise_exists),
-        .below_rise_ahead(stage_6_rise_ahead), .below_rise_right(stage_6_rise_right),
-        .below_rise_childless(stage_6_rise_childless), .below_rise_node(stage_6_rise_node),
-        .rise_entry(stage_4_rise_entry), .rise_exists(stage_4_rise_exists), .rise_ahead(stage_4_rise_ahead),
-        .rise_right(stage_4_rise_right), .rise_childless(stage_4_rise_childless),
-        .rise_node(stage_4_rise_node),
+        .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
+        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_exists(stage_6_promoted_exists),
+        .below_promoted_ahead(stage_6_promoted_ahead), .below_promoted_right(stage_6_promoted_right),
+        .below_promoted_childless(stage_6_promoted_childless), .below_promoted_node(stage_6_promoted_node),
+        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
+        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
+        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node),
         .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
         .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
         .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
+        .below_entry(stage_4_below_entry), .below_sibling(stage_4_below_sibling),
+        .below_row(stage_4_below_row)
     );
 
     splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry), .step_rival(stage_4_below_rival), .step_row(stage_4_below_row),
-        .below_rise_entry(stage_8_rise_entry), .below_rise_exists(stage_8_rise_exists),
-        .below_rise_ahead(stage_8_rise_ahead), .below_rise_right(stage_8_rise_right),
-        .below_rise_childless(stage_8_rise_childless), .below_rise_node(stage_8_rise_node),
-        .rise_entry(stage_6_rise_entry), .rise_exists(stage_6_rise_exists), .rise_ahead(stage_6_rise_ahead),
-        .rise_right(stage_6_rise_right), .rise_childless(stage_6_rise_childless),
-        .rise_node(stage_6_rise_node),
+        .step_entry(stage_4_below_entry), .step_sibling(stage_4_below_sibling), .step_row(stage_4_below_row),
+        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_exists(stage_8_promoted_exists),
+        .below_promoted_ahead(stage_8_promoted_ahead), .below_promoted_right(stage_8_promoted_right),
+        .below_promoted_childless(stage_8_promoted_childless), .below_promoted_node(stage_8_promoted_node),
+        .promoted_entry(stage_6_promoted_entry), .promoted_exists(stage_6_promoted_exists),
+        .promoted_ahead(stage_6_promoted_ahead), .promoted_right(stage_6_promoted_right),
+        .promoted_childless(stage_6_promoted_childless), .promoted_node(stage_6_promoted_node),
         .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
         .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
         .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
+        .below_entry(stage_6_below_entry), .below_sibling(stage_6_below_sibling),
+        .below_row(stage_6_below_row)
     );
 
     splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry), .step_rival(stage_6_below_rival), .step_row(stage_6_below_row),
-        .below_rise_entry(stage_10_rise_entry), .below_rise_exists(stage_10_rise_exists),
-        .below_rise_ahead(stage_10_rise_ahead), .below_rise_right(stage_10_rise_right),
-        .below_rise_childless(stage_10_rise_childless), .below_rise_node(stage_10_rise_node),
-        .rise_entry(stage_8_rise_entry), .rise_exists(stage_8_rise_exists), .rise_ahead(stage_8_rise_ahead),
-        .rise_right(stage_8_rise_right), .rise_childless(stage_8_rise_childless),
-        .rise_node(stage_8_rise_node),
+        .step_entry(stage_6_below_entry), .step_sibling(stage_6_below_sibling), .step_row(stage_6_below_row),
+        .below_promoted_entry(stage_10_promoted_entry), .below_promoted_exists(stage_10_promoted_exists),
+        .below_promoted_ahead(stage_10_promoted_ahead), .below_promoted_right(stage_10_promoted_right),
+        .below_promoted_childless(stage_10_promoted_childless), .below_promoted_node(stage_10_promoted_node),
+        .promoted_entry(stage_8_promoted_entry), .promoted_exists(stage_8_promoted_exists),
+        .promoted_ahead(stage_8_promoted_ahead), .promoted_right(stage_8_promoted_right),
+        .promoted_childless(stage_8_promoted_childless), .promoted_node(stage_8_promoted_node),
         .below_valid(stage_8_below_valid), .below_hole(stage_8_below_hole), .below_carry(stage_8_below_carry),
         .below_right(stage_8_below_right), .below_left_exists(stage_8_below_left_exists),
         .below_right_exists(stage_8_below_right_exists), .below_follows(stage_8_below_follows),
-        .below_entry(stage_8_below_entry), .below_rival(stage_8_below_rival), .below_row(stage_8_below_row)
+        .below_entry(stage_8_below_entry), .below_sibling(stage_8_below_sibling),
+        .below_row(stage_8_below_row)
     );
 
     splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .sweep(sweep),
+        .clk(clk), .rst(rst), .lap(lap),
         .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
         .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
         .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
-        .step_entry(stage_8_below_entry), .step_rival(stage_8_below_rival), .step_row(stage_8_below_row),
-        .rise_entry(stage_10_rise_entry), .rise_exists(stage_10_rise_exists),
-        .rise_ahead(stage_10_rise_ahead), .rise_right(stage_10_rise_right),
-        .rise_childless(stage_10_rise_childless), .rise_node(stage_10_rise_node)
+        .step_entry(stage_8_below_entry), .step_sibling(stage_8_below_sibling), .step_row(stage_8_below_row),
+        .promoted_entry(stage_10_promoted_entry), .promoted_exists(stage_10_promoted_exists),
+        .promoted_ahead(stage_10_promoted_ahead), .promoted_right(stage_10_promoted_right),
+        .promoted_childless(stage_10_promoted_childless), .promoted_node(stage_10_promoted_node)
     );
 
     always @(posedge clk) begin
@@ -5383,7 +5389,7 @@ module splat_heap (
             full <= 1'd0;
             fresh_epoch_blocked <= 1'd0;
             current <= 12'd0;
-            sweep <= 1'd0;
+            lap <= 1'd0;
         end else begin
             lower <= begins;
             occupied <= |count;
@@ -5399,7 +5405,7 @@ module splat_heap (
             end
             if (pop) begin
                 current <= stage_0_root[39:28];
-                sweep <= stage_0_root[40];
+                lap <= stage_0_root[40];
             end
         end
     end
@@ -5418,7 +5424,7 @@ endmodule
 module splat_heap_stage_l10 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5428,142 +5434,143 @@ module splat_heap_stage_l10 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [9:0] step_row,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [9:0] rise_node
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [9:0] promoted_node
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
-    reg compared_right_below, compared_left_count, settled_valid, settled_hole, settled_carry;
-    reg settled_existed, settled_ahead, settled_rival_exists, settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below, settled_left_count;
+    reg compared_right_below, compared_left_count, write_back_valid, write_back_hole, write_back_carry;
+    reg write_back_existed, write_back_ahead, write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below, write_back_left_count;
     reg [43:0] stored;
     reg [10:0] row, row_before;
     reg [11:0] last_row, last_row_before;
     wire [43:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
+    wire term_1 = compared_carried[40] == lap;
     wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
+    wire [27:0] joined_4 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~sibling_stays;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire term_6 = ~(chosen_left_count | chosen_right_below);
     wire [11:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
     wire side = choice_7[0];
-    wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
     wire choice_8 = lower ? 1'd0 : compared_exists;
-    wire term_9 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_8) & term_9) : settled_ahead;
+    wire term_9 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_5);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_8) & term_9) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_10 = settled_hole & ~settled_carry & choice_8;
-    wire choice_11 = lower ? 1'd0 : compared_right;
-    wire term_12 = settled_right_below & ~(term_10 & choice_11 & (lower ? 1'd0 : term_6));
-    wire term_13 = ~settled_hole & settled_existed;
-    wire term_14 = ~choice_11;
-    wire sum_15 = settled_left_count + ((term_10 & term_14) | (term_13 & term_14));
-    wire [43:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_12 | (term_13 & choice_11), sum_15
-    };
-    wire choice_16 = lower ? compared_hole : step_hole;
-    wire choice_17 = lower ? chosen_left_count : step_left_exists;
-    wire choice_18 = lower ? chosen_right_below : step_right_exists;
-    wire choice_19 = lower ? compared_follows : step_follows;
-    wire newer = choice_19 & settled_valid;
-    wire choice_20 = (choice_17 & choice_18) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_18;
-    wire goes_right = choice_16 ? choice_20 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire term_10 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_11 = write_back_hole & ~write_back_carry & choice_8;
+    wire choice_12 = lower ? 1'd0 : compared_right;
+    wire term_13 = write_back_right_below & ~(term_11 & choice_12 & (lower ? 1'd0 : term_6));
+    wire term_14 = ~write_back_hole & write_back_existed;
+    wire term_15 = ~choice_12;
+    wire sum_16 = write_back_left_count + ((term_11 & term_15) | (term_14 & term_15));
+    wire [43:0] node_to_store = {entry_to_store, term_10, term_13 | (term_14 & choice_12), sum_16};
+    wire choice_17 = lower ? compared_hole : step_hole;
+    wire choice_18 = lower ? chosen_left_count : step_left_exists;
+    wire choice_19 = lower ? chosen_right_below : step_right_exists;
+    wire choice_20 = lower ? compared_follows : step_follows;
+    wire newer = choice_20 & write_back_valid;
+    wire choice_21 = (choice_18 & choice_19) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_19;
+    wire goes_right = choice_17 ? choice_21 : lower ? (chosen_left_count | ~lower) : step_right;
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_21 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire [10:0] choice_22 = lower ? {1'd0, step_row} : next_row[10:0];
     wire same_side = goes_right ^ ~side;
-    wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
-    wire [40:0] choice_22 = ~goes_right ? right_shown[43:3] : left_shown[43:3];
-    wire term_23 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_23;
-    wire term_24 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
+    wire [40:0] choice_23 = ~goes_right ? right_shown[43:3] : left_shown[43:3];
+    wire [27:0] joined_24 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_24);
+    wire term_25 = carried_first & (before_sibling | ~compared_sibling_exists);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
-    assign rise_right = compared_right;
-    assign rise_childless = term_6;
-    assign rise_node = row_before[9:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_5;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_6;
+    assign promoted_node = row_before[9:0];
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_7[11:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_7[11:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_22), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_7[11:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_7[11:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_22), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_16;
+        compared_hole <= choice_17;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_19 & same_side;
+        compared_follows <= choice_20 & same_side;
         compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_18 : choice_17;
+        compared_exists <= goes_right ? choice_19 : choice_18;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_20;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_was_first <= goes_right == choice_21;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_22[40:12];
-        compared_rival_exists <= goes_right ? choice_17 : choice_18;
-        compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_23[40:12];
+        compared_sibling_exists <= goes_right ? choice_18 : choice_19;
+        compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
         compared_entry <= goes_right ? right_shown[43:3] : left_shown[43:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
         compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_24;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
-        settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & compared_exists;
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_25);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
+        write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & compared_exists;
         stored <= node_to_store;
-        row <= choice_21;
+        row <= choice_22;
         row_before <= row;
         last_row <= next_row;
         last_row_before <= last_row;
     end
 
-    wire _unused = &{1'b0, choice_22[11:0]};
+    wire _unused = &{1'b0, choice_23[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5573,7 +5580,7 @@ endmodule
 module splat_heap_stage_l8 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5583,20 +5590,20 @@ module splat_heap_stage_l8 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [7:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [9:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [7:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [9:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [7:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5605,84 +5612,86 @@ module splat_heap_stage_l8 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [9:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [2:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [2:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [2:0] write_back_left_count;
     reg [45:0] stored;
     reg [8:0] row, row_before;
     wire [45:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
+    wire term_1 = compared_carried[40] == lap;
     wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
+    wire [27:0] joined_4 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~sibling_stays;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
     wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[45:17] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
     wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [9:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_13 & write_back_valid;
+    wire [9:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_15 = lower ? below_promoted_exists : compared_exists;
+    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [9:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_15;
-    wire choice_19 = lower ? below_rise_right : compared_right;
-    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire term_23 = term_18 & term_22;
-    wire [2:0] sum_24 = settled_left_count + {{2{term_23}}, term_23 | (term_21 & term_22)};
-    wire [45:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
-    };
-    wire [8:0] choice_25 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
+    wire choice_20 = lower ? below_promoted_right : compared_right;
+    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
+    wire term_22 = ~write_back_hole & write_back_existed;
+    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
+    wire term_24 = ~choice_20;
+    wire term_25 = term_19 & term_24;
+    wire [2:0] sum_26 = write_back_left_count + {{2{term_25}}, term_25 | (term_22 & term_24)};
+    wire [45:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
+    wire [8:0] choice_27 = lower ? {1'd0, step_row} : next_row[8:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_26 = ~goes_right ? right_shown[45:5] : left_shown[45:5];
-    wire term_27 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_27;
-    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_28 = ~goes_right ? right_shown[45:5] : left_shown[45:5];
+    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
+    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
-    assign rise_right = compared_right;
-    assign rise_childless = term_6;
-    assign rise_node = row_before[7:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_5;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_6;
+    assign promoted_node = row_before[7:0];
     assign below_valid = term_7;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -5691,30 +5700,30 @@ module splat_heap_stage_l8 (
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
     assign below_entry = choice_9;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_14[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_14[9:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_14[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_14[9:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
@@ -5725,30 +5734,30 @@ module splat_heap_stage_l8 (
         compared_exists <= goes_right ? choice_12 : choice_11;
         compared_right <= goes_right;
         compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_26[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_28[40:12];
+        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
         compared_entry <= goes_right ? right_shown[45:5] : left_shown[45:5];
         compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
         compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {3{compared_exists}};
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
+        write_back_entry <= first;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & {3{compared_exists}};
         stored <= node_to_store;
-        row <= choice_25;
+        row <= choice_27;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_26[11:0]};
+    wire _unused = &{1'b0, choice_28[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5758,7 +5767,7 @@ endmodule
 module splat_heap_stage_l6 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5768,20 +5777,20 @@ module splat_heap_stage_l6 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [5:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [7:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [5:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [7:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [5:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5790,84 +5799,86 @@ module splat_heap_stage_l6 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [7:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [4:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [4:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [4:0] write_back_left_count;
     reg [47:0] stored;
     reg [6:0] row, row_before;
     wire [47:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
+    wire term_1 = compared_carried[40] == lap;
     wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
+    wire [27:0] joined_4 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~sibling_stays;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
     wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[47:19] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
     wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [7:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_13 & write_back_valid;
+    wire [7:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_15 = lower ? below_promoted_exists : compared_exists;
+    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [7:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_15;
-    wire choice_19 = lower ? below_rise_right : compared_right;
-    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire term_23 = term_18 & term_22;
-    wire [4:0] sum_24 = settled_left_count + {{4{term_23}}, term_23 | (term_21 & term_22)};
-    wire [47:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
-    };
-    wire [6:0] choice_25 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
+    wire choice_20 = lower ? below_promoted_right : compared_right;
+    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
+    wire term_22 = ~write_back_hole & write_back_existed;
+    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
+    wire term_24 = ~choice_20;
+    wire term_25 = term_19 & term_24;
+    wire [4:0] sum_26 = write_back_left_count + {{4{term_25}}, term_25 | (term_22 & term_24)};
+    wire [47:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
+    wire [6:0] choice_27 = lower ? {1'd0, step_row} : next_row[6:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_26 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire term_27 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_27;
-    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_28 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
+    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
+    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
-    assign rise_right = compared_right;
-    assign rise_childless = term_6;
-    assign rise_node = row_before[5:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_5;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_6;
+    assign promoted_node = row_before[5:0];
     assign below_valid = term_7;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -5876,30 +5887,30 @@ module splat_heap_stage_l6 (
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
     assign below_entry = choice_9;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_14[7:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_14[7:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
@@ -5910,30 +5921,30 @@ module splat_heap_stage_l6 (
         compared_exists <= goes_right ? choice_12 : choice_11;
         compared_right <= goes_right;
         compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_26[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_28[40:12];
+        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
         compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
         compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
         compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {5{compared_exists}};
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
+        write_back_entry <= first;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & {5{compared_exists}};
         stored <= node_to_store;
-        row <= choice_25;
+        row <= choice_27;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_26[11:0]};
+    wire _unused = &{1'b0, choice_28[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5943,7 +5954,7 @@ endmodule
 module splat_heap_stage_l4 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -5953,20 +5964,20 @@ module splat_heap_stage_l4 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [3:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [5:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [3:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [5:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [3:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -5975,84 +5986,86 @@ module splat_heap_stage_l4 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [5:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [6:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [6:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [6:0] write_back_left_count;
     reg [49:0] stored;
     reg [4:0] row, row_before;
     wire [49:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
+    wire term_1 = compared_carried[40] == lap;
     wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
+    wire [27:0] joined_4 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~sibling_stays;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
     wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[49:21] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
     wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [5:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_13 & write_back_valid;
+    wire [5:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_15 = lower ? below_promoted_exists : compared_exists;
+    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [5:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_15;
-    wire choice_19 = lower ? below_rise_right : compared_right;
-    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire term_23 = term_18 & term_22;
-    wire [6:0] sum_24 = settled_left_count + {{6{term_23}}, term_23 | (term_21 & term_22)};
-    wire [49:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
-    };
-    wire [4:0] choice_25 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
+    wire choice_20 = lower ? below_promoted_right : compared_right;
+    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
+    wire term_22 = ~write_back_hole & write_back_existed;
+    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
+    wire term_24 = ~choice_20;
+    wire term_25 = term_19 & term_24;
+    wire [6:0] sum_26 = write_back_left_count + {{6{term_25}}, term_25 | (term_22 & term_24)};
+    wire [49:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
+    wire [4:0] choice_27 = lower ? {1'd0, step_row} : next_row[4:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_26 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire term_27 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_27;
-    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_28 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
+    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
+    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
-    assign rise_right = compared_right;
-    assign rise_childless = term_6;
-    assign rise_node = row_before[3:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_5;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_6;
+    assign promoted_node = row_before[3:0];
     assign below_valid = term_7;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -6061,30 +6074,30 @@ module splat_heap_stage_l4 (
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
     assign below_entry = choice_9;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_14[5:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_14[5:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
@@ -6095,30 +6108,30 @@ module splat_heap_stage_l4 (
         compared_exists <= goes_right ? choice_12 : choice_11;
         compared_right <= goes_right;
         compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_26[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_28[40:12];
+        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
         compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
         compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
         compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {7{compared_exists}};
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
+        write_back_entry <= first;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & {7{compared_exists}};
         stored <= node_to_store;
-        row <= choice_25;
+        row <= choice_27;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_26[11:0]};
+    wire _unused = &{1'b0, choice_28[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6128,7 +6141,7 @@ endmodule
 module splat_heap_stage_l2 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -6138,20 +6151,20 @@ module splat_heap_stage_l2 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [28:0] step_sibling,
     input  wire [1:0] step_row,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [3:0] below_rise_node,
-    output wire [40:0] rise_entry,
-    output wire rise_exists,
-    output wire rise_ahead,
-    output wire rise_right,
-    output wire rise_childless,
-    output wire [1:0] rise_node,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [3:0] below_promoted_node,
+    output wire [40:0] promoted_entry,
+    output wire promoted_exists,
+    output wire promoted_ahead,
+    output wire promoted_right,
+    output wire promoted_childless,
+    output wire [1:0] promoted_node,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -6160,84 +6173,86 @@ module splat_heap_stage_l2 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [3:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [8:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [8:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [8:0] write_back_left_count;
     reg [51:0] stored;
     reg [2:0] row, row_before;
     wire [51:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
+    wire term_1 = compared_carried[40] == lap;
     wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
+    wire [27:0] joined_4 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~sibling_stays;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
     wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[51:23] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
     wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [3:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire newer = choice_13 & write_back_valid;
+    wire [3:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_15 = lower ? below_promoted_exists : compared_exists;
+    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
+    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [3:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_15;
-    wire choice_19 = lower ? below_rise_right : compared_right;
-    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire term_23 = term_18 & term_22;
-    wire [8:0] sum_24 = settled_left_count + {{8{term_23}}, term_23 | (term_21 & term_22)};
-    wire [51:0] node_to_store = {
-        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
-    };
-    wire [2:0] choice_25 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
+    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
+    wire choice_20 = lower ? below_promoted_right : compared_right;
+    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
+    wire term_22 = ~write_back_hole & write_back_existed;
+    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
+    wire term_24 = ~choice_20;
+    wire term_25 = term_19 & term_24;
+    wire [8:0] sum_26 = write_back_left_count + {{8{term_25}}, term_25 | (term_22 & term_24)};
+    wire [51:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
+    wire [2:0] choice_27 = lower ? {1'd0, step_row} : next_row[2:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_26 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire term_27 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_27;
-    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_28 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
+    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
+    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
 
-    assign rise_entry = first;
-    assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
-    assign rise_right = compared_right;
-    assign rise_childless = term_6;
-    assign rise_node = row_before[1:0];
+    assign promoted_entry = first;
+    assign promoted_exists = compared_exists;
+    assign promoted_ahead = term_5;
+    assign promoted_right = compared_right;
+    assign promoted_childless = term_6;
+    assign promoted_node = row_before[1:0];
     assign below_valid = term_7;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -6246,30 +6261,30 @@ module splat_heap_stage_l2 (
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
     assign below_entry = choice_9;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
@@ -6280,30 +6295,30 @@ module splat_heap_stage_l2 (
         compared_exists <= goes_right ? choice_12 : choice_11;
         compared_right <= goes_right;
         compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_26[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_28[40:12];
+        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
         compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
         compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
         compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {9{compared_exists}};
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
+        write_back_entry <= first;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & {9{compared_exists}};
         stored <= node_to_store;
-        row <= choice_25;
+        row <= choice_27;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_26[11:0]};
+    wire _unused = &{1'b0, choice_28[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6313,7 +6328,7 @@ endmodule
 module splat_heap_stage_l0 (
     input  wire clk,
     input  wire rst,
-    input  wire sweep,
+    input  wire lap,
     input  wire last_epoch,
     input  wire step_valid,
     input  wire step_hole,
@@ -6323,14 +6338,14 @@ module splat_heap_stage_l0 (
     input  wire step_right_exists,
     input  wire step_follows,
     input  wire [40:0] step_entry,
-    input  wire [28:0] step_rival,
-    input  wire newcomer_sweep,
-    input  wire [40:0] below_rise_entry,
-    input  wire below_rise_exists,
-    input  wire below_rise_ahead,
-    input  wire below_rise_right,
-    input  wire below_rise_childless,
-    input  wire [1:0] below_rise_node,
+    input  wire [28:0] step_sibling,
+    input  wire newcomer_lap,
+    input  wire [40:0] below_promoted_entry,
+    input  wire below_promoted_exists,
+    input  wire below_promoted_ahead,
+    input  wire below_promoted_right,
+    input  wire below_promoted_childless,
+    input  wire [1:0] below_promoted_node,
     output wire [40:0] root,
     output wire below_valid,
     output wire below_hole,
@@ -6340,76 +6355,80 @@ module splat_heap_stage_l0 (
     output wire below_right_exists,
     output wire below_follows,
     output wire [40:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [28:0] below_sibling,
     output wire [1:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
     reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored, compared_rival_stored;
-    reg [28:0] compared_rival;
-    reg compared_rival_exists, compared_rival_mark;
+    reg [28:0] compared_parent_sibling;
+    reg compared_chosen_stored, compared_sibling_stored;
+    reg [28:0] compared_sibling;
+    reg compared_sibling_exists, compared_sibling_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [10:0] compared_left_count;
-    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
-    reg settled_rival_mark;
-    reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg [10:0] settled_left_count;
+    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
+    reg write_back_sibling_exists, write_back_sibling_mark;
+    reg [40:0] write_back_entry;
+    reg write_back_right_below;
+    reg [10:0] write_back_left_count;
     reg [53:0] stored;
     reg row, row_before;
     wire [53:0] left_shown, right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & settled_valid;
-    wire choice_2 = lower ? newcomer_sweep : compared_carried[40];
+    wire newer = choice_1 & write_back_valid;
+    wire choice_2 = lower ? newcomer_lap : compared_carried[40];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire term_3 = choice_2 == sweep;
+    wire term_3 = choice_2 == lap;
     wire [27:0] joined_4 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
     wire [27:0] joined_5 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
     wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_3 : (joined_4 < joined_5);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] joined_6 = {choice_2, compared_carried[39:0]};
     wire [40:0] first = carried_first ? joined_6 : chosen_entry;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
     wire term_7 = compared_valid & compared_exists;
     wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
     wire term_8 = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
     wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
     wire [40:0] choice_9 = carried_first ? chosen_entry : joined_6;
-    wire [28:0] rival = compared_rival_stored ? stored[53:25] : compared_rival;
+    wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] choice_13 = lower ? below_rise_node : {1'd0, row_before};
+    wire [1:0] choice_13 = lower ? below_promoted_node : {1'd0, row_before};
     wire side = choice_13[0];
-    wire choice_14 = lower ? below_rise_exists : compared_exists;
-    wire [27:0] joined_15 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_15 < joined_5);
-    wire choice_16 = lower ? below_rise_ahead : (compared_exists & ~rival_stays);
-    wire term_17 = (settled_carry | choice_14) & (~settled_rival_exists | settled_ahead | choice_16);
-    wire is_first = settled_hole ? term_17 : settled_ahead;
+    wire choice_14 = lower ? below_promoted_exists : compared_exists;
+    wire [27:0] joined_15 = {
+        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
+        compared_parent_sibling[14:0]
+    };
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_15 < joined_5);
+    wire choice_16 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
+    wire term_17 = ~write_back_sibling_exists | write_back_ahead | choice_16;
+    wire is_first = write_back_hole ? ((write_back_carry | choice_14) & term_17) : write_back_ahead;
     wire first_side = side ^ ~is_first;
     wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_12;
     wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
     wire [1:0] next_row = {row, goes_right};
-    wire term_19 = settled_hole & ~settled_carry & choice_14;
-    wire choice_20 = lower ? below_rise_right : compared_right;
-    wire choice_21 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_22 = ~settled_hole & settled_existed;
-    wire term_23 = (settled_right_below & ~(term_19 & choice_20 & choice_21)) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [10:0] sum_26 = settled_left_count + {{10{term_25}}, term_25 | (term_22 & term_24)};
-    wire [53:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_23, sum_26};
-    wire choice_27 = lower ? 1'd0 : next_row[0];
+    wire term_19 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire term_20 = write_back_hole & ~write_back_carry & choice_14;
+    wire choice_21 = lower ? below_promoted_right : compared_right;
+    wire choice_22 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
+    wire term_23 = write_back_right_below & ~(term_20 & choice_21 & choice_22);
+    wire term_24 = ~write_back_hole & write_back_existed;
+    wire term_25 = ~choice_21;
+    wire term_26 = term_20 & term_25;
+    wire [10:0] sum_27 = write_back_left_count + {{10{term_26}}, term_26 | (term_24 & term_25)};
+    wire [53:0] node_to_store = {entry_to_store, term_19, term_23 | (term_24 & choice_21), sum_27};
+    wire choice_28 = lower ? 1'd0 : next_row[0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_28 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire term_29 = joined_4 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (choice_2 ^ rival[28]) ? term_3 : term_29;
-    wire term_30 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_29 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
+    wire [27:0] joined_30 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (choice_2 ^ sibling[28]) ? term_3 : (joined_4 < joined_30);
+    wire term_31 = carried_first & (before_sibling | ~compared_sibling_exists);
 
     assign root = newer ? entry_to_store : right_shown[53:13];
     assign below_valid = term_7;
@@ -6420,30 +6439,30 @@ module splat_heap_stage_l0 (
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
     assign below_entry = choice_9;
-    assign below_rival = rival;
+    assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) left_nodes (
         .clk(clk),
-        .write(settled_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .write(write_back_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_28), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) right_nodes (
         .clk(clk),
-        .write(settled_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .write(write_back_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_28), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             lower <= 1'd0;
             compared_valid <= 1'd0;
-            settled_valid <= 1'd0;
+            write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
@@ -6454,30 +6473,30 @@ module splat_heap_stage_l0 (
         compared_exists <= goes_right ? choice_12 : choice_11;
         compared_right <= goes_right;
         compared_was_first <= goes_right == choice_18;
-        compared_parent_rival <= lower ? rival : step_rival;
+        compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_28[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[12] : left_shown[12];
+        compared_sibling_stored <= newer & ~same_side;
+        compared_sibling <= choice_29[40:12];
+        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
         compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
         compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
         compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_30;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[12] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {11{compared_exists}};
+        write_back_hole <= compared_hole;
+        write_back_carry <= compared_carry;
+        write_back_existed <= compared_exists;
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_31);
+        write_back_sibling_exists <= compared_sibling_exists;
+        write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
+        write_back_entry <= first;
+        write_back_right_below <= chosen_right_below & compared_exists;
+        write_back_left_count <= chosen_left_count & {11{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= choice_28;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[11:0]};
+    wire _unused = &{1'b0, choice_29[11:0]};
 endmodule
 
 // Queue of two in registers.

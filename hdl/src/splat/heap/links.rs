@@ -88,20 +88,20 @@ pub(super) struct Step {
     /// The carried entry.
     #[bits(place.format.width())]
     entry: u64,
-    /// The key of the parent's rival.
+    /// The key of the parent's sibling.
     #[bits(place.format.key_width())]
-    rival: u64,
+    sibling: u64,
 }
 
-/// What a level says of the step it compares, to the level above, where the step settles.
+/// What a level promotes in the step it compares, to the level above, where the step writes back.
 #[record(place: Place)]
-pub(super) struct Rise {
+pub(super) struct Promotion {
     /// The first of the chosen child and the carried entry.
     #[bits(place.format.width())]
     entry: u64,
     /// The chosen child exists.
     exists: bool,
-    /// It leaves before its parent's rival.
+    /// It leaves before its parent's sibling.
     ahead: bool,
     /// It is the right one.
     right: bool,
@@ -129,20 +129,20 @@ pub(super) struct Compared {
     right: bool,
     /// It was the first of both.
     was_first: bool,
-    /// The key of the parent's rival.
+    /// The key of the parent's sibling.
     #[bits(place.format.key_width())]
-    parent_rival: u64,
+    parent_sibling: u64,
     /// The node stored in the cycle before is the chosen child, newer than what the memories have shown.
     chosen_stored: bool,
-    /// It is the rival.
-    rival_stored: bool,
-    /// The rival's key.
+    /// It is the sibling.
+    sibling_stored: bool,
+    /// The sibling's key.
     #[bits(place.format.key_width())]
-    rival: u64,
-    /// There is a rival.
-    rival_exists: bool,
+    sibling: u64,
+    /// There is a sibling.
+    sibling_exists: bool,
     /// Its mark.
-    rival_mark: bool,
+    sibling_mark: bool,
     /// The chosen child's entry.
     #[bits(place.format.width())]
     entry: u64,
@@ -151,9 +151,9 @@ pub(super) struct Compared {
     below: Below,
 }
 
-/// A step that settles.
+/// A step that writes back.
 #[record(place: Place)]
-pub(super) struct Settled {
+pub(super) struct WriteBack {
     /// There is one.
     valid: bool,
     /// See [`Step`].
@@ -162,12 +162,12 @@ pub(super) struct Settled {
     carry: bool,
     /// The chosen child existed.
     existed: bool,
-    /// What is known to take the chosen child's place leaves before the rival.
+    /// What is known to take the chosen child's place leaves before the sibling.
     ahead: bool,
-    /// There is a rival.
-    rival_exists: bool,
+    /// There is a sibling.
+    sibling_exists: bool,
     /// Its mark.
-    rival_mark: bool,
+    sibling_mark: bool,
     /// What stays in the chosen child's place, or fills a hole where nothing lies below.
     #[bits(place.format.width())]
     entry: u64,

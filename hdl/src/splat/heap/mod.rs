@@ -2,7 +2,7 @@
 //! `pointcore_golden::splat::heap`.
 //!
 //! This module decides what enters the heap and what leaves it; `stage` is two levels. An insertion walks
-//! down to where there is room, a removal pulls the first child up level by level, and a replacement is a removal whose
+//! down to where there is room, a removal promotes the first child level by level, and a replacement is a removal whose
 //! hole the new entry may fill.
 
 mod links;
@@ -14,10 +14,10 @@ use pointcore_contract::splat::records::HeapEntry;
 use pointcore_contract::splat::units::heap::PORTS;
 
 use crate::units::ports::{StreamInPorts, StreamOutPorts, WordPort};
-use crate::units::wires::Bundle;
-use links::{Pace, Place, Rise, Step};
-use order::EntryFormat;
-use rtl::{Expr, Instance, Module, bit, cat, lit};
+use crate::units::wires::{Bundle, Wires};
+use links::{Pace, Place, Promotion, Step};
+use order::{Entry, EntryFormat, Key};
+use rtl::{Expr, Instance, Module, bit, lit};
 
 /// The unit.
 #[must_use]
@@ -37,12 +37,12 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let input = PORTS.input.declare(&mut m, config);
     let out = PORTS.out.queue(&mut m, config);
 
-    // Operations begin every second tick, when the upper levels of the stages look; after reset at once.
+    // Operations begin every second tick, when the upper levels of the stages read; after reset at once.
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);
     let begins = m.wire("begins", pace.at_end(!lower));
     let stages = stages(&mut m, config, format);
-    let root = m.out(stages[0], "root");
+    let root: Entry<Wires> = Bundle::unpack(&format, m.out(stages[0], "root"));
 
     let count = m.reg_reset("count", levels, 0);
     let arrival = m.reg_reset("arrival", format.sequence, 0);
@@ -66,24 +66,25 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     m.next_if(arrival, push, arrival.add_lit(1));
     for (epoch, alive) in alive.iter().enumerate() {
         let is_of = |number: Expr| number.eq_lit(epoch as u128);
-        let (comes, goes) = (push & is_of(arrival.msb()), pop & is_of(format.epoch(root)));
+        let (comes, goes) = (push & is_of(arrival.msb()), pop & is_of(root.key.sequence.msb()));
         m.next_if(*alive, comes ^ goes, comes.mux(alive.add_lit(1), alive.sub_lit(1)));
     }
 
-    // The sweep of a newcomer is settled a tick later, when the current tile is known.
+    // The lap of a newcomer is decided a tick later, when the current tile is known.
     let current = m.reg_reset("current", format.tile, 0);
-    m.next_if(current, pop, format.tile(root));
-    let sweep = m.reg_reset("sweep", 1, 0);
-    m.next_if(sweep, pop, root.msb());
+    m.next_if(current, pop, root.key.tile);
+    let lap = m.reg_reset("lap", 1, 0);
+    m.next_if(lap, pop, root.key.lap);
     let last_epoch = m.reg("last_epoch", 1);
     m.next_if(last_epoch, push, arrival.msb());
     let newcomer_tile = m.reg("newcomer_tile", format.tile);
     let HeapEntry { tile, pointer } = input.record;
     pace.next(&mut m, newcomer_tile, tile);
-    let newcomer_sweep = m.wire("newcomer_sweep", sweep ^ newcomer_tile.lt(current));
-    m.connect(stages[0], "newcomer_sweep", newcomer_sweep);
+    let newcomer_lap = m.wire("newcomer_lap", lap ^ newcomer_tile.lt(current));
+    m.connect(stages[0], "newcomer_lap", newcomer_lap);
 
-    // The root is the right child of nothing, and every step comes by it. It has no rival.
+    // The root is the right child of nothing, and every step comes by it. It has no sibling.
+    let newcomer = Entry { key: Key { lap: bit(false), tile, sequence: arrival.expr() }, pointer };
     let step = Step {
         valid: push | pop,
         hole: pop,
@@ -92,17 +93,17 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
         left_exists: bit(false),
         right_exists: *occupied,
         follows: bit(true),
-        entry: cat([bit(false), tile, *arrival, pointer]),
-        rival: lit(format.key_width(), 0),
+        entry: newcomer.pack(&format),
+        sibling: lit(format.key_width(), 0),
     };
     step.connect(&mut m, &Place::new(config, format, 0), stages[0], "step_");
     for stage in &stages {
-        m.connect(*stage, "sweep", sweep);
+        m.connect(*stage, "lap", lap);
         m.connect(*stage, "last_epoch", last_epoch);
     }
 
     PORTS.empty.drive_word(&mut m, !(count.any() | out.holds));
-    out.push(&mut m, config, pop, HeapEntry { tile: format.tile(root), pointer: format.pointer(root) });
+    out.push(&mut m, config, pop, HeapEntry { tile: root.key.tile, pointer: root.pointer });
     m
 }
 
@@ -119,9 +120,9 @@ fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance>
         Step::shown_by(m, place, above, "below_").connect(m, place, below, "step_");
         let row = m.out(above, "below_row");
         m.connect(below, "step_row", row);
-        Rise::shown_by(m, place, below, "rise_").connect(m, place, above, "below_rise_");
-        let node = m.out(below, "rise_node");
-        m.connect(above, "below_rise_node", node);
+        Promotion::shown_by(m, place, below, "promoted_").connect(m, place, above, "below_promoted_");
+        let node = m.out(below, "promoted_node");
+        m.connect(above, "below_promoted_node", node);
     }
     instances
 }

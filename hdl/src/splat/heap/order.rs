@@ -1,13 +1,15 @@
 //! Entries of the heap and the order among them (eq. 5.14).
 //!
-//! The sweep says whether an entry leaves in the current pass over the tiles or in the next; it is settled when the entry
+//! The lap says whether an entry leaves in the current pass over the tiles or in the next; it is decided when the entry
 //! comes, so that no comparison needs the current tile.
 
 use pointcore_contract::splat::Config;
+use pointcore_contract::{record, width};
 
+use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, cat};
 
-/// Widths of the parts of an entry, which is the word `{sweep, tile, sequence, pointer}`; all but the pointer is its key.
+/// Widths of the parts of an entry.
 #[derive(Clone, Copy)]
 pub(super) struct EntryFormat {
     pub tile: u32,
@@ -20,49 +22,62 @@ impl EntryFormat {
         Self { tile: config.tile_bits(), sequence: sequence_bits, pointer: config.heap_levels }
     }
 
-    pub const fn width(&self) -> u32 {
-        self.key_width() + self.pointer
+    /// Bits of a packed [`Entry`].
+    pub fn width(&self) -> u32 {
+        width::<Entry>(self)
     }
 
-    pub const fn key_width(&self) -> u32 {
-        1 + self.tile + self.sequence
+    /// Bits of a packed [`Key`].
+    pub fn key_width(&self) -> u32 {
+        width::<Key>(self)
     }
 
+    /// The packed key of a packed entry.
     pub fn key(&self, entry: Expr) -> Expr {
-        entry.bits(self.width() - 1, self.pointer)
-    }
-
-    pub fn tile(&self, entry: Expr) -> Expr {
-        entry.bits(self.width() - 2, self.sequence + self.pointer)
-    }
-
-    pub fn pointer(&self, entry: Expr) -> Expr {
-        entry.trunc(self.pointer)
-    }
-
-    /// The top bit of the arrival number.
-    pub fn epoch(&self, entry: Expr) -> Expr {
-        entry.bit(self.sequence + self.pointer - 1)
+        Entry::unpack(self, entry).key.pack(self)
     }
 }
 
-/// The order in which entries leave: by sweep, by tile, and within a tile by arrival.
+/// What entries are ordered by.
+#[record(format: EntryFormat)]
+pub(super) struct Key {
+    /// The parity of the pass over the tiles in which the entry leaves.
+    lap: bool,
+    /// Tile index.
+    #[bits(format.tile)]
+    tile: u32,
+    /// The arrival number, whose top bit is the epoch.
+    #[bits(format.sequence)]
+    sequence: u32,
+}
+
+/// What a node holds.
+#[record(format: EntryFormat)]
+pub(super) struct Entry {
+    /// Its place in the order.
+    key: Key,
+    /// Place of the payload.
+    #[bits(format.pointer)]
+    pointer: u16,
+}
+
+/// The order in which entries leave: by lap, by tile, and within a tile by arrival.
 pub(super) struct Order {
     pub format: EntryFormat,
-    /// The sweep of the entry that left last: entries of the other sweep leave later.
-    pub sweep: Expr,
+    /// The lap of the entry that left last: entries of the other lap leave later.
+    pub lap: Expr,
     /// The epoch of the entry that came last: entries of the other epoch are older.
     pub last_epoch: Expr,
 }
 
 impl Order {
-    /// Whether the entry with key `a` leaves before that with key `b`; both are in the heap.
+    /// Whether the entry with the packed key `a` leaves before that with key `b`; both are in the heap.
     pub fn before(&self, a: Expr, b: Expr) -> Expr {
-        let EntryFormat { tile, sequence, .. } = self.format;
-        let in_sweep = |key: Expr| {
-            let is_new = key.bit(sequence - 1).eq(self.last_epoch);
-            cat([key.bits(tile + sequence - 1, sequence), is_new, key.trunc(sequence - 1)])
+        let [a, b] = [a, b].map(|key| Key::unpack(&self.format, key));
+        let in_lap = |key: Key<Wires>| {
+            let is_new = key.sequence.msb().eq(self.last_epoch);
+            cat([key.tile, is_new, key.sequence.trunc(self.format.sequence - 1)])
         };
-        (a.msb() ^ b.msb()).mux(a.msb().eq(self.sweep), in_sweep(a).lt(in_sweep(b)))
+        (a.lap ^ b.lap).mux(a.lap.eq(self.lap), in_lap(a).lt(in_lap(b)))
     }
 }

@@ -1,10 +1,10 @@
 //! A stage of the pipelined heap: two neighboring levels, which take turns at one set of memories, comparators and registers.
 //!
 //! Two memories hold the left and the right child of every parent. A step meets the children of one parent in three ticks:
-//! *look* (the memories show the children; the one it goes on with is *chosen*, the other its *rival*), *compare* (from
-//! registers, while the level below looks), and *settle* (the chosen child's place is rewritten, with what rises from below
-//! where there is a hole). Steps begin every second tick, so one looks while its predecessor settles at the same level:
-//! what the memories do not hold yet is in the register `stored` when it compares.
+//! *read* (the memories show the children; the one it goes on with is *chosen*, the other its *sibling*), *compare* (from
+//! registers, while the level below reads), and *write back* (the chosen child's place is rewritten, where there is a hole
+//! with what is *promoted* from below). Steps begin every second tick, so one reads while its predecessor writes back at the
+//! same level: what the memories do not hold yet is in the register `stored` when it compares.
 //!
 //! A tick is a cycle, or two where the clock matters more than the rate (`heap_interval`): the first shows and compares, the
 //! second decides.
@@ -14,8 +14,8 @@
 
 use pointcore_contract::splat::Config;
 
-use super::links::{Below, Compared, Node, Pace, Place, Registers, Rise, Settled, Step};
-use super::order::{EntryFormat, Order};
+use super::links::{Below, Compared, Node, Pace, Place, Promotion, Registers, Step, WriteBack};
+use super::order::{Entry, EntryFormat, Order};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::width;
 use rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
@@ -28,16 +28,16 @@ struct Stage {
     place: Place,
     order: Order,
     pace: Pace,
-    /// Set in ticks where the lower level looks, the upper one compares and the lower one settles.
+    /// Set in ticks where the lower level reads, the upper one compares and the lower one writes back.
     lower: Expr,
     compared: Registers<Compared>,
-    settled: Registers<Settled>,
+    write_back: Registers<WriteBack>,
     /// The node that was stored in the tick before.
     stored: Reg,
-    /// The row that is looked at, and the one before.
+    /// The row that is read, and the one before.
     row: Reg,
     row_before: Reg,
-    /// The number of the chosen child, which is the row to be looked at next.
+    /// The number of the chosen child, which is the row to be read next.
     next_row: Wire,
 }
 
@@ -58,16 +58,16 @@ impl Stage {
 struct Comparison {
     exists: Expr,
     chosen: Expr,
-    rival_mark: Expr,
+    sibling_mark: Expr,
     carried: Expr,
     /// The carried entry is the first of itself and the chosen child.
     carried_first: Expr,
-    before_rival: Expr,
+    before_sibling: Expr,
     /// What lies below the chosen child.
     below: Below<Wires>,
     /// The step at the level below.
     step: Step<Wires>,
-    rise: Rise<Wires>,
+    promotion: Promotion<Wires>,
 }
 
 impl Comparison {
@@ -81,21 +81,22 @@ impl Comparison {
         let chosen_entry = newest(m, "entry", stored.entry, compared.entry);
         let chosen = pace.found(m, "chosen_entry", chosen_entry);
         let chosen_key = format.key(chosen_entry);
-        let rival = m.wire("rival", compared.rival_stored.mux(format.key(stored.entry), compared.rival));
-        let rival_mark = compared.rival_stored.mux(stored.mark, compared.rival_mark);
+        let sibling = m.wire("sibling", compared.sibling_stored.mux(format.key(stored.entry), compared.sibling));
+        let sibling_mark = compared.sibling_stored.mux(stored.mark, compared.sibling_mark);
 
         let mut carried = compared.carried;
         if place.upper == 0 {
-            // The sweep of a newcomer is known only now.
-            let sweep = lower.mux(m.input("newcomer_sweep", 1), carried.msb());
-            carried = cat([sweep, carried.trunc(format.width() - 1)]);
+            // The lap of a newcomer is known only now.
+            let mut newcomer: Entry<Wires> = Bundle::unpack(&format, carried);
+            newcomer.key.lap = lower.mux(m.input("newcomer_lap", 1), newcomer.key.lap);
+            carried = newcomer.pack(&format);
         }
         let before = |m: &mut Module, name: &str, a: Expr, b: Expr| {
             let before = m.wire(name, order.before(a, b));
             pace.found(m, name, before)
         };
         let before_chosen = before(m, "before_chosen", format.key(carried), chosen_key);
-        let before_rival = before(m, "before_rival", format.key(carried), rival);
+        let before_sibling = before(m, "before_sibling", format.key(carried), sibling);
         let exists = compared.exists;
         let carried_first = m.wire("carried_first", compared.carry & (!exists | before_chosen));
         let first = m.wire("first", carried_first.mux(carried, chosen));
@@ -118,21 +119,21 @@ impl Comparison {
         let Compared { hole, carry, follows, right, .. } = *compared;
         let valid = compared.valid & exists;
         let step =
-            Step { valid, hole, carry, right: left_full, left_exists, right_exists, follows, entry: last, rival };
-        let rival_stays = before(m, "rival_stays", compared.parent_rival, chosen_key);
-        let rise = Rise { entry: first, exists, ahead: exists & !rival_stays, right, childless };
-        Self { exists, chosen, rival_mark, carried, carried_first, before_rival, below, step, rise }
+            Step { valid, hole, carry, right: left_full, left_exists, right_exists, follows, entry: last, sibling };
+        let sibling_stays = before(m, "sibling_stays", compared.parent_sibling, chosen_key);
+        let promotion = Promotion { entry: first, exists, ahead: exists & !sibling_stays, right, childless };
+        Self { exists, chosen, sibling_mark, carried, carried_first, before_sibling, below, step, promotion }
     }
 
-    /// The step settles in the next tick.
-    fn settle_next(&self, m: &mut Module, stage: &Stage) {
+    /// The step writes back in the next tick.
+    fn write_back_next(&self, m: &mut Module, stage: &Stage) {
         let Stage { ref place, ref pace, lower, ref compared, .. } = *stage;
-        let Compared { hole, carry, rival_exists, was_first, valid, .. } = compared.record;
+        let Compared { hole, carry, sibling_exists, was_first, valid, .. } = compared.record;
         let exists = self.exists;
         // Where nothing lies below, a hole is filled with the carried entry.
         let is_leaf = if place.continues() || !place.has_lower() { bit(false) } else { !lower };
         let kept = (self.carried_first ^ (hole & is_leaf)).mux(self.carried, self.chosen);
-        let inserted = self.carried_first & (self.before_rival | !rival_exists);
+        let inserted = self.carried_first & (self.before_sibling | !sibling_exists);
         let stays = exists & was_first;
         let mut below = Below::default();
         if place.has_lower() {
@@ -140,23 +141,23 @@ impl Comparison {
             below =
                 Below { right_below: right_below & exists, left_count: left_count & exists.repeat(left_count.width()) };
         }
-        let settled = Settled {
+        let write_back = WriteBack {
             valid: valid & (exists | !hole),
             hole,
             carry,
             existed: exists,
-            ahead: hole.mux(carry & self.before_rival, stays | inserted),
-            rival_exists,
-            rival_mark: self.rival_mark,
+            ahead: hole.mux(carry & self.before_sibling, stays | inserted),
+            sibling_exists,
+            sibling_mark: self.sibling_mark,
             entry: kept,
             below,
         };
-        stage.settled.next(m, place, pace, settled);
+        stage.write_back.next(m, place, pace, write_back);
     }
 }
 
-/// What becomes of the chosen child's place.
-struct Settlement {
+/// What is written to the chosen child's place.
+struct Written {
     valid: Expr,
     /// The number of that place; its lowest bit is the side.
     number: Expr,
@@ -167,41 +168,41 @@ struct Settlement {
     node: Expr,
 }
 
-impl Settlement {
+impl Written {
     fn new(m: &mut Module, stage: &Stage, comparison: &Comparison) -> Self {
-        let Stage { ref place, ref pace, lower, ref settled, .. } = *stage;
-        let Settled { hole, carry, existed, ahead, rival_exists, rival_mark, entry: own, below, valid } =
-            settled.record;
+        let Stage { ref place, ref pace, lower, ref write_back, .. } = *stage;
+        let WriteBack { hole, carry, existed, ahead, sibling_exists, sibling_mark, entry: own, below, valid } =
+            write_back.record;
         let bits = place.row_bits() + 1;
         let own_number = stage.row_before.zext(bits);
-        let (risen, entry, number) = if place.continues() {
-            let below = Bundle::input(m, place, "below_rise_");
-            let risen: Rise<Wires> = Bundle::choose(place, lower, below, comparison.rise);
-            let entry = hole.mux(risen.entry, own);
-            (risen, entry, lower.mux(m.input("below_rise_node", bits), own_number))
+        let (promoted, entry, number) = if place.continues() {
+            let below = Bundle::input(m, place, "below_promoted_");
+            let promoted: Promotion<Wires> = Bundle::choose(place, lower, below, comparison.promotion);
+            let entry = hole.mux(promoted.entry, own);
+            (promoted, entry, lower.mux(m.input("below_promoted_node", bits), own_number))
         } else {
-            // Nothing rises to the last level.
-            let risen = Bundle::choose(place, lower, Bundle::zeros(place), comparison.rise);
-            let entry = (hole & !lower).mux(comparison.rise.entry, own);
+            // Nothing is promoted to the last level.
+            let promoted = Bundle::choose(place, lower, Bundle::zeros(place), comparison.promotion);
+            let entry = (hole & !lower).mux(comparison.promotion.entry, own);
             let [last, last_before] = ["last_row", "last_row_before"].map(|name| m.reg(name, bits));
             pace.next(m, last, stage.next_row);
             pace.next(m, last_before, last);
-            (risen, entry, lower.mux(last_before, own_number))
+            (promoted, entry, lower.mux(last_before, own_number))
         };
         let side = m.wire("side", number.bit(0));
         let entry = m.wire("entry_to_store", entry);
-        let filled_first = (carry | risen.exists) & (!rival_exists | ahead | risen.ahead);
+        let filled_first = (carry | promoted.exists) & (!sibling_exists | ahead | promoted.ahead);
         let is_first = m.wire("is_first", hole.mux(filled_first, ahead));
         let first_side = m.wire("first_side", side ^ !is_first);
-        let leaves = hole & !carry & risen.exists;
+        let leaves = hole & !carry & promoted.exists;
         let comes = !hole & existed;
-        let mark = first_side ^ (rival_exists & rival_mark);
+        let mark = first_side ^ (sibling_exists & sibling_mark);
         let mut node = Node { entry, mark, below };
         if place.has_lower() {
-            let last_leaves = leaves & risen.right & risen.childless;
-            node.below.right_below = (below.right_below & !last_leaves) | (comes & risen.right);
-            let (count, down) = (below.left_count, leaves & !risen.right);
-            let changes = down | (comes & !risen.right);
+            let last_leaves = leaves & promoted.right & promoted.childless;
+            node.below.right_below = (below.right_below & !last_leaves) | (comes & promoted.right);
+            let (count, down) = (below.left_count, leaves & !promoted.right);
+            let changes = down | (comes & !promoted.right);
             let change = if count.width() > 1 { cat([down.repeat(count.width() - 1), changes]) } else { changes };
             node.below.left_count = count + change;
         }
@@ -211,11 +212,11 @@ impl Settlement {
     }
 }
 
-/// Shows the children of the step's parent, chooses one, and hands both to the comparison. Returns the chosen entry with all
-/// that has settled, for the root.
-fn look(m: &mut Module, stage: &Stage, step: &Step<Wires>, above_row: Expr, settlement: &Settlement) -> Expr {
+/// Reads the children of the step's parent, chooses one, and hands both to the comparison. Returns the chosen entry with all
+/// that is written back, for the root.
+fn read_children(m: &mut Module, stage: &Stage, step: &Step<Wires>, above_row: Expr, written: &Written) -> Expr {
     let Stage { ref place, ref pace, lower, ref compared, row, .. } = *stage;
-    let Settlement { valid, number, side, first_side, entry, node } = *settlement;
+    let Written { valid, number, side, first_side, entry, node } = *written;
     let presented = lower.mux(above_row, stage.next_row.trunc(place.row_bits()));
     pace.next(m, row, presented);
     pace.next(m, stage.row_before, row);
@@ -273,12 +274,12 @@ fn look(m: &mut Module, stage: &Stage, step: &Step<Wires>, above_row: Expr, sett
         exists: goes_right.mux(right_exists, left_exists),
         right: goes_right,
         was_first: goes_right.eq(first),
-        parent_rival: step.rival,
+        parent_sibling: step.sibling,
         chosen_stored: newer & same_side,
-        rival_stored: newer & !same_side,
-        rival: place.format.key(other.entry),
-        rival_exists: goes_right.mux(left_exists, right_exists),
-        rival_mark: other.mark,
+        sibling_stored: newer & !same_side,
+        sibling: place.format.key(other.entry),
+        sibling_exists: goes_right.mux(left_exists, right_exists),
+        sibling_mark: other.mark,
         entry: chosen.entry,
         below: chosen.below,
     };
@@ -293,7 +294,7 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
     m.variant("level", upper);
     m.parameter("levels", place.levels);
     m.parameter("interval", config.heap_interval);
-    let order = Order { format: place.format, sweep: m.input("sweep", 1), last_epoch: m.input("last_epoch", 1) };
+    let order = Order { format: place.format, lap: m.input("lap", 1), last_epoch: m.input("last_epoch", 1) };
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);
     let above = Step::input(&mut m, &place, "step_");
@@ -304,7 +305,7 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
         order,
         pace,
         compared: Registers::new(&mut m, &place, "compared_"),
-        settled: Registers::new(&mut m, &place, "settled_"),
+        write_back: Registers::new(&mut m, &place, "write_back_"),
         stored: m.reg("stored", width::<Node>(&place)),
         row: m.reg("row", bits),
         row_before: m.reg("row_before", bits),
@@ -312,16 +313,16 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
         lower,
     };
     let comparison = Comparison::new(&mut m, &stage);
-    comparison.settle_next(&mut m, &stage);
-    let settlement = Settlement::new(&mut m, &stage, &comparison);
+    comparison.write_back_next(&mut m, &stage);
+    let written = Written::new(&mut m, &stage, &comparison);
     let step = Bundle::choose(&place, stage.lower, comparison.step, above);
-    let root = look(&mut m, &stage, &step, above_row, &settlement);
+    let root = read_children(&mut m, &stage, &step, above_row, &written);
     if upper == 0 {
         // The root stands on the right below nothing.
         m.output("root", root);
     } else {
-        comparison.rise.output(&mut m, &place, "rise_");
-        m.output("rise_node", stage.row_before.trunc(upper));
+        comparison.promotion.output(&mut m, &place, "promoted_");
+        m.output("promoted_node", stage.row_before.trunc(upper));
     }
     if place.continues() {
         comparison.step.output(&mut m, &place, "below_");
