@@ -225,7 +225,7 @@ fn blocks_that_differ_are_told_apart_and_others_are_one() {
             true => Module::from_block("dff", "rust-hdl's register.", DFF::<Bits<8>>::default()),
             false => Module::from_block("dff", "rust-hdl's register.", DFF::<Bits<4>>::default()),
         };
-        register.parameter("width", width);
+        register.variant("width", width);
         let child = m.instance(name, register);
         m.connect(child, "d", d);
         let q = m.out(child, "q");

@@ -5,8 +5,8 @@ pub mod memory;
 pub mod tree;
 
 use pointcore_contract::Format;
-use pointcore_contract::search::Config;
 use pointcore_contract::Port;
+use pointcore_contract::search::Config;
 use pointcore_golden::unit::{Model, Ported};
 use pointcore_tb::lockstep::{Lockstep, LockstepReport, seeds};
 use rtl::Module;
