@@ -90,3 +90,36 @@ fn a_core_names_the_files_that_are_there_and_they_are_accepted() {
         workplace.accepts("verilator", &arguments, name);
     }
 }
+
+#[test]
+fn a_file_a_module_and_their_list_are_accepted_from_their_folder() {
+    let workplace = Workplace::new();
+    workplace.write("a.toml", SPLATTING);
+    workplace.write("b.toml", NARROW);
+    for (name, core) in [("a", "splat"), ("b", "search")] {
+        workplace.succeeds(&["gen", &format!("{name}.toml"), "-o", name, "--split"]);
+        let folder = workplace.path().join(name);
+        let list = read(&folder.join(format!("modules/{core}_top.f")));
+        let files: Vec<&str> = list.lines().collect();
+        assert!(files.len() > 10 && files.last() == Some(&format!("{core}_top.v").as_str()), "{list}");
+        // The list names every file but itself.
+        assert_eq!(fs::read_dir(folder.join("modules")).ok().map(Iterator::count), Some(files.len() + 1));
+        let mut above = String::new();
+        for file in files {
+            let text = read(&folder.join("modules").join(file));
+            let module = file.trim_end_matches(".v");
+            let instance = format!("    {module} ");
+            assert!(!above.lines().any(|line| line.starts_with(&instance)), "{module} comes after what it is part of");
+            above += &text;
+        }
+        assert_eq!(
+            above.matches("endmodule").count(),
+            read(&folder.join(format!("{core}_top.v"))).matches("endmodule").count()
+        );
+        let list = format!("{core}_top.f");
+        let modules = format!("{name}/modules");
+        workplace.accepts("verilator", &["--lint-only", "-Wall", "-f", &list], &modules);
+        workplace.accepts("verilator", &["--lint-only", "-Wall", "-DRTL_ASSERT", "-f", &list], &modules);
+        workplace.accepts("iverilog", &["-Wall", "-t", "null", "-f", &list], &modules);
+    }
+}

@@ -6,7 +6,7 @@ use super::dependencies::Reach;
 use super::emit::PortKind;
 use super::error::ElaborationError;
 use super::interface::StreamDeclaration;
-use super::lower::Library;
+use super::lower::{Library, single_file};
 use super::memory_module::MemoryModule;
 use super::module::Module;
 
@@ -52,6 +52,7 @@ pub struct ModuleSummary {
 pub struct Design {
     top: String,
     verilog: String,
+    files: Vec<(String, String)>,
     ports: Vec<Port>,
     streams: Vec<StreamDeclaration>,
     modules: Vec<ModuleSummary>,
@@ -64,6 +65,13 @@ impl Design {
     #[must_use]
     pub fn verilog(&self) -> &str {
         &self.verilog
+    }
+
+    /// The modules of [`Design::verilog`] one by one, in its order: each one's name, and the text of a file of that name. The whole text is
+    /// these with an empty line between, below a directive where they are several.
+    #[must_use]
+    pub fn files(&self) -> &[(String, String)] {
+        &self.files
     }
 
     /// Name of the top module.
@@ -143,9 +151,11 @@ fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError
         let direction = if *kind == PortKind::Input { Direction::Input } else { Direction::Output };
         Port { name: name.clone(), width: *width, direction }
     });
+    let files = library.files(&names, beside);
     Ok(Design {
         top: names[index].clone(),
-        verilog: library.verilog(&names, beside),
+        verilog: single_file(&files),
+        files,
         ports: ports.collect(),
         streams: top.streams.clone(),
         modules: modules.collect(),

@@ -21,7 +21,9 @@ const LINT_BEFORE: &str = "/* verilator lint_save */\n\
     // Literals of rust-hdl have 32 bits.\n\
     /* verilator lint_off WIDTH */\n\
     // Every output of a block inside has a signal, whether it is read or not.\n\
-    /* verilator lint_off UNUSED */\n";
+    /* verilator lint_off UNUSED */\n\
+    // The modules of its blocks inside stand in its file.\n\
+    /* verilator lint_off DECLFILENAME */\n";
 /// Back to the rules of everybody else.
 const LINT_AFTER: &str = "/* verilator lint_restore */\n";
 

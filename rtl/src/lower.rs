@@ -124,20 +124,21 @@ impl Library {
         self.modules.iter().enumerate().map(name).collect()
     }
 
-    /// Verilog text of all modules but the first `beside`, parents before children: a file named after the top starts with it.
-    pub fn verilog(&self, names: &[String], beside: usize) -> String {
+    /// Names and Verilog texts of all modules but the first `beside`, parents before children.
+    pub fn files(&self, names: &[String], beside: usize) -> Vec<(String, String)> {
         let modules = self.modules.iter().zip(names).skip(beside);
-        let text = |(module, name): (&Lowered, &String)| match &module.foreign {
-            Some(foreign) => foreign.verilog(name, &header(module)),
-            None => frame(module, name, names).verilog(),
+        let file = |(module, name): (&Lowered, &String)| {
+            let text = match &module.foreign {
+                Some(foreign) => foreign.verilog(name, &header(module)),
+                None => frame(module, name, names).verilog(),
+            };
+            (name.clone(), text)
         };
-        let mut frames: Vec<_> = modules.rev().map(text).collect();
+        let mut files: Vec<_> = modules.rev().map(file).collect();
         let known = self.memory_modules(0..beside);
         let memories = self.memory_modules(beside..self.modules.len());
-        frames.extend(memories.difference(&known).map(|memory| memory.verilog()));
-        let foreign = self.modules.iter().skip(beside).any(|module| module.foreign.is_some());
-        let text = frames.join("\n");
-        if foreign || frames.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
+        files.extend(memories.difference(&known).map(|memory| (memory.name(), memory.verilog())));
+        files
     }
 
     /// The modules of the memories in some of the modules.
@@ -163,6 +164,13 @@ impl Library {
         }
         counts
     }
+}
+
+/// The modules' texts as one file: named after the top, it starts with it.
+pub(super) fn single_file(files: &[(String, String)]) -> String {
+    let texts: Vec<&str> = files.iter().map(|(_, text)| text.as_str()).collect();
+    let text = texts.join("\n");
+    if files.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
 }
 
 /// What stands above a module: its summary and its parameters.

@@ -18,6 +18,9 @@ pub struct Arguments {
     /// Also writes the core as a block for designs in rust-hdl, a Rust file that includes the Verilog beside it.
     #[arg(long)]
     rust_hdl: bool,
+    /// Also writes the core as one file a module, `modules/MODULE.v`, and the list of them, `modules/TOP.f`.
+    #[arg(long)]
+    split: bool,
     /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
@@ -65,6 +68,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     };
     if arguments.rust_hdl {
         package.add_rust_hdl(&design);
+    }
+    if arguments.split {
+        package.add_modules(&design);
     }
     let files = write_package(&package, &arguments.output)?;
     let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();

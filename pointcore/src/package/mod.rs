@@ -51,6 +51,8 @@ pub enum Role {
     Pins,
     /// The test, and what it reads.
     Test,
+    /// The design once more, a file a module.
+    Module,
     /// For people and programs, not for the tools of a design.
     Document,
 }
@@ -58,7 +60,7 @@ pub enum Role {
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// Its name, without a folder.
+    /// Its name, behind `modules/` for a module's.
     pub name: String,
     /// What stands in it.
     pub text: String,
@@ -144,6 +146,16 @@ impl Package {
         let words = self.top.split('_').filter_map(|word| Some((word.get(..1)?.to_uppercase(), word.get(1..)?)));
         let name: String = words.map(|(initial, rest)| initial + rest).collect();
         self.add(format!("{}.rs", self.top), design.rust_hdl_struct(&name), Role::Document);
+    }
+
+    /// Adds the core once more as `modules/MODULE.v`, and `modules/TOP.f`, which lists them children first, each by its name alone.
+    pub fn add_modules(&mut self, design: &Design) {
+        let mut list = String::new();
+        for (module, text) in design.files().iter().rev() {
+            list += &format!("{module}.v\n");
+            self.add(format!("modules/{module}.v"), text.clone(), Role::Module);
+        }
+        self.add(format!("modules/{}.f", self.top), list, Role::Module);
     }
 
     /// The AXI top, and its registers for people and for C.

@@ -1,5 +1,7 @@
 //! Verilator, Icarus and yosys take the text of a design with every feature, without a warning.
 
+use std::collections::HashSet;
+
 use rtl::{Module, bit, cat, elaborate, lit};
 
 use crate::lint::{lint, run};
@@ -77,6 +79,24 @@ fn tools_take_every_construct_without_warnings() {
     let design = elaborate(&everything()).expect("the module has no fault");
     lint(&design);
     assert!(design.verilog().lines().all(|line| line.len() <= 200), "{}", design.verilog());
+}
+
+#[test]
+fn a_file_a_module_is_the_single_file_in_parts() {
+    let design = elaborate(&everything()).expect("the module has no fault");
+    let files = design.files();
+    let names: HashSet<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names.len(), files.len(), "{names:?}");
+    let modules = design.modules().iter().map(|module| &module.name).chain(design.memory_modules());
+    assert_eq!(names, modules.map(String::as_str).collect());
+    assert!(names.len() > 2 && files[0].0 == design.top(), "{names:?}");
+    for (name, text) in files {
+        assert_eq!(text.matches("endmodule").count(), 1, "{text}");
+        assert!(text.contains(&format!("\nmodule {name} ")), "{text}");
+    }
+    let texts: Vec<&str> = files.iter().map(|(_, text)| text.as_str()).collect();
+    let directive = "// The whole design is one file, named after its top.\n/* verilator lint_off DECLFILENAME */\n\n";
+    assert_eq!(format!("{directive}{}", texts.join("\n")), design.verilog());
 }
 
 /// Two memories, both read where they are written, stepped by a test bench in Verilog: what each shows in the last of its cycles.
