@@ -110,6 +110,7 @@ fn a_file_a_module_and_their_list_are_accepted_from_their_folder() {
             let module = file.trim_end_matches(".v");
             let instance = format!("    {module} ");
             assert!(!above.lines().any(|line| line.starts_with(&instance)), "{module} comes after what it is part of");
+            assert!(text.is_ascii(), "old tools take nothing else: {text}");
             above += &text;
         }
         assert_eq!(

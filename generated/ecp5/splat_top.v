@@ -5,104 +5,104 @@
 module splat_top (
     input  wire clk,
     input  wire rst,
-    input  wire uniform_valid,
-    input  wire [4:0] uniform_address,
-    input  wire [23:0] uniform_data,
-    input  wire splat_valid,
+    input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
+    input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
+    input  wire [23:0] uniform_data,  // Its new value.
+    input  wire splat_valid,  // Splats in world space.
     output wire splat_ready,
-    input  wire splat_end,
-    input  wire [23:0] splat_center_x,
-    input  wire [23:0] splat_center_y,
-    input  wire [23:0] splat_center_z,
-    input  wire [23:0] splat_tangent1_x,
-    input  wire [23:0] splat_tangent1_y,
-    input  wire [23:0] splat_tangent1_z,
-    input  wire [23:0] splat_tangent2_x,
-    input  wire [23:0] splat_tangent2_y,
-    input  wire [23:0] splat_tangent2_z,
-    input  wire [15:0] splat_attribute_0,
-    input  wire [15:0] splat_attribute_1,
-    input  wire [15:0] splat_attribute_2,
-    input  wire [15:0] splat_attribute_3,
-    input  wire [15:0] splat_attribute_4,
-    input  wire [15:0] splat_attribute_5,
-    input  wire [15:0] splat_attribute_6,
-    input  wire [15:0] splat_attribute_7,
-    input  wire [15:0] splat_attribute_8,
-    input  wire [15:0] splat_attribute_9,
-    input  wire [15:0] splat_attribute_10,
-    input  wire [15:0] splat_attribute_11,
-    input  wire [15:0] splat_attribute_12,
-    input  wire [15:0] splat_cardinal_0,
-    output wire read_valid,
+    input  wire splat_end,  // Closes the frame.
+    input  wire [23:0] splat_center_x,  // Center.
+    input  wire [23:0] splat_center_y,  // Center.
+    input  wire [23:0] splat_center_z,  // Center.
+    input  wire [23:0] splat_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] splat_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] splat_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] splat_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] splat_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] splat_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] splat_attribute_0,  // Attributes.
+    input  wire [15:0] splat_attribute_1,  // Attributes.
+    input  wire [15:0] splat_attribute_2,  // Attributes.
+    input  wire [15:0] splat_attribute_3,  // Attributes.
+    input  wire [15:0] splat_attribute_4,  // Attributes.
+    input  wire [15:0] splat_attribute_5,  // Attributes.
+    input  wire [15:0] splat_attribute_6,  // Attributes.
+    input  wire [15:0] splat_attribute_7,  // Attributes.
+    input  wire [15:0] splat_attribute_8,  // Attributes.
+    input  wire [15:0] splat_attribute_9,  // Attributes.
+    input  wire [15:0] splat_attribute_10,  // Attributes.
+    input  wire [15:0] splat_attribute_11,  // Attributes.
+    input  wire [15:0] splat_attribute_12,  // Attributes.
+    input  wire [15:0] splat_cardinal_0,  // Attributes.
+    output wire read_valid,  // Request for the pixels of a tile.
     input  wire read_ready,
-    output wire [11:0] read_tile,
-    input  wire data_valid,
+    output wire [11:0] read_tile,  // Tile index.
+    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
     output wire data_ready,
-    input  wire [27:0] data_weight,
-    input  wire [51:0] data_depth,
-    input  wire [15:0] data_peak,
-    input  wire [15:0] data_attribute_0,
-    input  wire [15:0] data_attribute_1,
-    input  wire [15:0] data_attribute_2,
-    input  wire [15:0] data_attribute_3,
-    input  wire [15:0] data_attribute_4,
-    input  wire [15:0] data_attribute_5,
-    input  wire [15:0] data_attribute_6,
-    input  wire [15:0] data_attribute_7,
-    input  wire [15:0] data_attribute_8,
-    input  wire [15:0] data_attribute_9,
-    input  wire [15:0] data_attribute_10,
-    input  wire [15:0] data_attribute_11,
-    input  wire [15:0] data_attribute_12,
-    input  wire [15:0] data_cardinal_0,
-    output wire write_valid,
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid,  // Pixels of evicted tiles.
     input  wire write_ready,
-    output wire [11:0] write_tile,
-    output wire [5:0] write_pixel,
-    output wire [27:0] write_weight,
-    output wire [51:0] write_depth,
-    output wire [15:0] write_peak,
-    output wire [15:0] write_attribute_0,
-    output wire [15:0] write_attribute_1,
-    output wire [15:0] write_attribute_2,
-    output wire [15:0] write_attribute_3,
-    output wire [15:0] write_attribute_4,
-    output wire [15:0] write_attribute_5,
-    output wire [15:0] write_attribute_6,
-    output wire [15:0] write_attribute_7,
-    output wire [15:0] write_attribute_8,
-    output wire [15:0] write_attribute_9,
-    output wire [15:0] write_attribute_10,
-    output wire [15:0] write_attribute_11,
-    output wire [15:0] write_attribute_12,
-    output wire [15:0] write_cardinal_0,
-    output wire fragment_valid,
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire fragment_valid,  // Fragments of the image.
     input  wire fragment_ready,
-    output wire fragment_end,
-    output wire [8:0] fragment_column,
-    output wire [8:0] fragment_row,
-    output wire [23:0] fragment_depth,
-    output wire [15:0] fragment_attribute_0,
-    output wire [15:0] fragment_attribute_1,
-    output wire [15:0] fragment_attribute_2,
-    output wire [15:0] fragment_attribute_3,
-    output wire [15:0] fragment_attribute_4,
-    output wire [15:0] fragment_attribute_5,
-    output wire [15:0] fragment_attribute_6,
-    output wire [15:0] fragment_attribute_7,
-    output wire [15:0] fragment_attribute_8,
-    output wire [15:0] fragment_attribute_9,
-    output wire [15:0] fragment_attribute_10,
-    output wire [15:0] fragment_attribute_11,
-    output wire [15:0] fragment_attribute_12,
-    output wire [15:0] fragment_cardinal_0,
-    output wire event_sample,
-    output wire event_starved,
-    output wire event_blocked,
-    output wire event_accumulate,
-    output wire event_hazard,
-    output wire event_slot_wait
+    output wire fragment_end,  // Closes the frame.
+    output wire [8:0] fragment_column,  // Column of the image.
+    output wire [8:0] fragment_row,  // Row of the image.
+    output wire [23:0] fragment_depth,  // Depth in the geometry format.
+    output wire [15:0] fragment_attribute_0,  // Attributes.
+    output wire [15:0] fragment_attribute_1,  // Attributes.
+    output wire [15:0] fragment_attribute_2,  // Attributes.
+    output wire [15:0] fragment_attribute_3,  // Attributes.
+    output wire [15:0] fragment_attribute_4,  // Attributes.
+    output wire [15:0] fragment_attribute_5,  // Attributes.
+    output wire [15:0] fragment_attribute_6,  // Attributes.
+    output wire [15:0] fragment_attribute_7,  // Attributes.
+    output wire [15:0] fragment_attribute_8,  // Attributes.
+    output wire [15:0] fragment_attribute_9,  // Attributes.
+    output wire [15:0] fragment_attribute_10,  // Attributes.
+    output wire [15:0] fragment_attribute_11,  // Attributes.
+    output wire [15:0] fragment_attribute_12,  // Attributes.
+    output wire [15:0] fragment_cardinal_0,  // Attributes.
+    output wire event_sample,  // The rasterizer evaluated a sample.
+    output wire event_starved,  // The rasterizer had no copy to work on.
+    output wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
+    output wire event_accumulate,  // The accumulator took a sample.
+    output wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    output wire event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
     reg [23:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
     reg [23:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
@@ -1312,78 +1312,78 @@ endmodule
 module splat_accumulator (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Samples with their contributions.
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [39:0] in_weighted_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [1:0] slot_ready,
-    output reg  retire_valid,
-    output reg  retire_slot,
-    output reg  frame_end,
-    input  wire fill_valid,
-    input  wire fill_slot,
-    input  wire [5:0] fill_pixel,
-    input  wire [27:0] fill_weight,
-    input  wire [51:0] fill_depth,
-    input  wire [15:0] fill_peak,
-    input  wire [15:0] fill_attribute_0,
-    input  wire [15:0] fill_attribute_1,
-    input  wire [15:0] fill_attribute_2,
-    input  wire [15:0] fill_attribute_3,
-    input  wire [15:0] fill_attribute_4,
-    input  wire [15:0] fill_attribute_5,
-    input  wire [15:0] fill_attribute_6,
-    input  wire [15:0] fill_attribute_7,
-    input  wire [15:0] fill_attribute_8,
-    input  wire [15:0] fill_attribute_9,
-    input  wire [15:0] fill_attribute_10,
-    input  wire [15:0] fill_attribute_11,
-    input  wire [15:0] fill_attribute_12,
-    input  wire [15:0] fill_cardinal_0,
-    input  wire drain_enable,
-    input  wire drain_slot,
-    input  wire [5:0] drain_pixel,
-    output wire [27:0] drain_weight,
-    output wire [51:0] drain_depth,
-    output wire [15:0] drain_peak,
-    output wire [15:0] drain_attribute_0,
-    output wire [15:0] drain_attribute_1,
-    output wire [15:0] drain_attribute_2,
-    output wire [15:0] drain_attribute_3,
-    output wire [15:0] drain_attribute_4,
-    output wire [15:0] drain_attribute_5,
-    output wire [15:0] drain_attribute_6,
-    output wire [15:0] drain_attribute_7,
-    output wire [15:0] drain_attribute_8,
-    output wire [15:0] drain_attribute_9,
-    output wire [15:0] drain_attribute_10,
-    output wire [15:0] drain_attribute_11,
-    output wire [15:0] drain_attribute_12,
-    output wire [15:0] drain_cardinal_0,
-    output reg  event_accumulate,
-    output reg  event_hazard,
-    output reg  event_slot_wait
+    input  wire in_end,  // Closes the frame.
+    input  wire in_last,  // Closes its copy.
+    input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
+    input  wire [15:0] in_weight,  // Kernel weight.
+    input  wire [39:0] in_weighted_depth,  // Weighted depth.
+    input  wire [23:0] in_depth_low,  // Near end of the depth band.
+    input  wire [23:0] in_depth_high,  // Far end of the depth band.
+    input  wire [15:0] in_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_2,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_3,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_4,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_5,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_6,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_7,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_8,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_9,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_10,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [15:0] in_cardinal_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    input  wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    output reg  retire_valid,  // A copy is done with.
+    output reg  retire_slot,  // Slot of the tile cache.
+    output reg  frame_end,  // The frame is done with.
+    input  wire fill_valid,  // Write to a slot.
+    input  wire fill_slot,  // Slot of the tile cache.
+    input  wire [5:0] fill_pixel,  // Pixel of the tile.
+    input  wire [27:0] fill_weight,  // Sum of weights.
+    input  wire [51:0] fill_depth,  // Sum of weighted depths.
+    input  wire [15:0] fill_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire drain_enable,  // Read of a slot.
+    input  wire drain_slot,  // Slot of the tile cache.
+    input  wire [5:0] drain_pixel,  // Pixel of the tile.
+    output wire [27:0] drain_weight,  // Sum of weights.
+    output wire [51:0] drain_depth,  // Sum of weighted depths.
+    output wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] drain_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  event_accumulate,  // The accumulator took a sample.
+    output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
     reg valid_1, inside_1, last_1, slot_1;
     reg [5:0] pixel_1;
@@ -2058,12 +2058,12 @@ endmodule
 module splat_depth_test (
     input  wire clk,
     input  wire rst,
-    input  wire [27:0] weight,
-    input  wire [51:0] depth,
-    input  wire [23:0] depth_low,
-    input  wire [23:0] depth_high,
-    output reg  fail,
-    output reg  pass
+    input  wire [27:0] weight,  // The pixel's sum of weights.
+    input  wire [51:0] depth,  // The pixel's sum of weighted depths.
+    input  wire [23:0] depth_low,  // Near end of the sample's depth band.
+    input  wire [23:0] depth_high,  // Far end of the sample's depth band.
+    output reg  fail,  // The pixel hides the sample.
+    output reg  pass  // The sample hides the pixel.
 );
     reg [51:0] arrived, stored;
     reg [25:0] low_bound_low_low, low_bound_high_high, low_bound_high_low, low_bound_low_high;
@@ -2702,70 +2702,70 @@ endmodule
 module splat_rasterizer (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Copies with their slots.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
-    input  wire in_slot,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    input  wire in_slot,  // Slot of the tile cache.
+    output wire out_valid,  // Samples.
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    input  wire [23:0] filter_scale,
-    output reg  event_sample,
-    output reg  event_starved,
-    output reg  event_blocked
+    output wire out_end,  // Closes the frame.
+    output wire out_last,  // Closes its copy.
+    output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    output wire out_slot,  // Slot of the tile cache.
+    output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
+    output wire [15:0] out_weight,  // Kernel weight.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    input  wire [23:0] filter_scale,  // The reciprocal of the squared radius of the screen filter.
+    output reg  event_sample,  // The rasterizer evaluated a sample.
+    output reg  event_starved,  // The rasterizer had no copy to work on.
+    output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
     reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
@@ -4000,184 +4000,184 @@ endmodule
 module splat_tile_cache (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Copies in order of tiles.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire out_valid,  // Copies with their slots.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile,
-    output wire out_slot,
-    output reg  read_valid,
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_ax,  // `A` in x.
+    output wire [23:0] out_bx,  // `B` in x.
+    output wire [23:0] out_ay,  // `A` in y.
+    output wire [23:0] out_by,  // `B` in y.
+    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [23:0] out_mx,  // `m` in x.
+    output wire [23:0] out_my,  // `m` in y.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [11:0] out_tile,  // Tile index: row above column.
+    output wire out_slot,  // Slot of the tile cache.
+    output reg  read_valid,  // Request for the pixels of a tile.
     input  wire read_ready,
-    output reg  [11:0] read_tile,
-    input  wire data_valid,
+    output reg  [11:0] read_tile,  // Tile index.
+    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
     output wire data_ready,
-    input  wire [27:0] data_weight,
-    input  wire [51:0] data_depth,
-    input  wire [15:0] data_peak,
-    input  wire [15:0] data_attribute_0,
-    input  wire [15:0] data_attribute_1,
-    input  wire [15:0] data_attribute_2,
-    input  wire [15:0] data_attribute_3,
-    input  wire [15:0] data_attribute_4,
-    input  wire [15:0] data_attribute_5,
-    input  wire [15:0] data_attribute_6,
-    input  wire [15:0] data_attribute_7,
-    input  wire [15:0] data_attribute_8,
-    input  wire [15:0] data_attribute_9,
-    input  wire [15:0] data_attribute_10,
-    input  wire [15:0] data_attribute_11,
-    input  wire [15:0] data_attribute_12,
-    input  wire [15:0] data_cardinal_0,
-    output wire write_valid,
+    input  wire [27:0] data_weight,  // Sum of weights.
+    input  wire [51:0] data_depth,  // Sum of weighted depths.
+    input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire write_valid,  // Pixels of evicted tiles.
     input  wire write_ready,
-    output wire [11:0] write_tile,
-    output wire [5:0] write_pixel,
-    output wire [27:0] write_weight,
-    output wire [51:0] write_depth,
-    output wire [15:0] write_peak,
-    output wire [15:0] write_attribute_0,
-    output wire [15:0] write_attribute_1,
-    output wire [15:0] write_attribute_2,
-    output wire [15:0] write_attribute_3,
-    output wire [15:0] write_attribute_4,
-    output wire [15:0] write_attribute_5,
-    output wire [15:0] write_attribute_6,
-    output wire [15:0] write_attribute_7,
-    output wire [15:0] write_attribute_8,
-    output wire [15:0] write_attribute_9,
-    output wire [15:0] write_attribute_10,
-    output wire [15:0] write_attribute_11,
-    output wire [15:0] write_attribute_12,
-    output wire [15:0] write_cardinal_0,
-    output wire pixel_valid,
+    output wire [11:0] write_tile,  // Tile index.
+    output wire [5:0] write_pixel,  // Pixel of the tile.
+    output wire [27:0] write_weight,  // Sum of weights.
+    output wire [51:0] write_depth,  // Sum of weighted depths.
+    output wire [15:0] write_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire pixel_valid,  // Pixels of a finished frame.
     input  wire pixel_ready,
-    output wire pixel_end,
-    output wire [11:0] pixel_tile,
-    output wire [5:0] pixel_pixel,
-    output wire [27:0] pixel_weight,
-    output wire [51:0] pixel_depth,
-    output wire [15:0] pixel_peak,
-    output wire [15:0] pixel_attribute_0,
-    output wire [15:0] pixel_attribute_1,
-    output wire [15:0] pixel_attribute_2,
-    output wire [15:0] pixel_attribute_3,
-    output wire [15:0] pixel_attribute_4,
-    output wire [15:0] pixel_attribute_5,
-    output wire [15:0] pixel_attribute_6,
-    output wire [15:0] pixel_attribute_7,
-    output wire [15:0] pixel_attribute_8,
-    output wire [15:0] pixel_attribute_9,
-    output wire [15:0] pixel_attribute_10,
-    output wire [15:0] pixel_attribute_11,
-    output wire [15:0] pixel_attribute_12,
-    output wire [15:0] pixel_cardinal_0,
-    output wire [1:0] slot_ready,
-    input  wire retire_valid,
-    input  wire retire_slot,
-    input  wire frame_end,
-    output reg  fill_valid,
-    output wire fill_slot,
-    output reg  [5:0] fill_pixel,
-    output reg  [27:0] fill_weight,
-    output reg  [51:0] fill_depth,
-    output reg  [15:0] fill_peak,
-    output reg  [15:0] fill_attribute_0,
-    output reg  [15:0] fill_attribute_1,
-    output reg  [15:0] fill_attribute_2,
-    output reg  [15:0] fill_attribute_3,
-    output reg  [15:0] fill_attribute_4,
-    output reg  [15:0] fill_attribute_5,
-    output reg  [15:0] fill_attribute_6,
-    output reg  [15:0] fill_attribute_7,
-    output reg  [15:0] fill_attribute_8,
-    output reg  [15:0] fill_attribute_9,
-    output reg  [15:0] fill_attribute_10,
-    output reg  [15:0] fill_attribute_11,
-    output reg  [15:0] fill_attribute_12,
-    output reg  [15:0] fill_cardinal_0,
-    output wire drain_enable,
-    output wire drain_slot,
-    output wire [5:0] drain_pixel,
-    input  wire [27:0] drain_weight,
-    input  wire [51:0] drain_depth,
-    input  wire [15:0] drain_peak,
-    input  wire [15:0] drain_attribute_0,
-    input  wire [15:0] drain_attribute_1,
-    input  wire [15:0] drain_attribute_2,
-    input  wire [15:0] drain_attribute_3,
-    input  wire [15:0] drain_attribute_4,
-    input  wire [15:0] drain_attribute_5,
-    input  wire [15:0] drain_attribute_6,
-    input  wire [15:0] drain_attribute_7,
-    input  wire [15:0] drain_attribute_8,
-    input  wire [15:0] drain_attribute_9,
-    input  wire [15:0] drain_attribute_10,
-    input  wire [15:0] drain_attribute_11,
-    input  wire [15:0] drain_attribute_12,
-    input  wire [15:0] drain_cardinal_0
+    output wire pixel_end,  // Closes the frame.
+    output wire [11:0] pixel_tile,  // Tile index.
+    output wire [5:0] pixel_pixel,  // Pixel of the tile.
+    output wire [27:0] pixel_weight,  // Sum of weights.
+    output wire [51:0] pixel_depth,  // Sum of weighted depths.
+    output wire [15:0] pixel_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire retire_valid,  // The accumulator is done with a copy.
+    input  wire retire_slot,  // Slot of the tile cache.
+    input  wire frame_end,  // The accumulator is done with the frame.
+    output reg  fill_valid,  // Write to a slot.
+    output wire fill_slot,  // Slot of the tile cache.
+    output reg  [5:0] fill_pixel,  // Pixel of the tile.
+    output reg  [27:0] fill_weight,  // Sum of weights.
+    output reg  [51:0] fill_depth,  // Sum of weighted depths.
+    output reg  [15:0] fill_peak,  // The largest single weight, with cardinal attributes only.
+    output reg  [15:0] fill_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire drain_enable,  // Read of a slot.
+    output wire drain_slot,  // Slot of the tile cache.
+    output wire [5:0] drain_pixel,  // Pixel of the tile.
+    input  wire [27:0] drain_weight,  // Sum of weights.
+    input  wire [51:0] drain_depth,  // Sum of weighted depths.
+    input  wire [15:0] drain_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] drain_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] drain_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
     reg head_valid, head_end;
     reg [23:0] head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx, head_my;
@@ -4688,74 +4688,74 @@ endmodule
 module splat_reorder (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Copies in any order.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [2:0] in_left,  // First column.
+    input  wire [2:0] in_right,  // Last column.
+    input  wire [2:0] in_top,  // First row.
+    input  wire [2:0] in_bottom,  // Last row.
+    input  wire [11:0] in_tile,  // Tile index: row above column.
+    output wire out_valid,  // Copies in order of tiles.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_ax,  // `A` in x.
+    output wire [23:0] out_bx,  // `B` in x.
+    output wire [23:0] out_ay,  // `A` in y.
+    output wire [23:0] out_by,  // `B` in y.
+    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [23:0] out_mx,  // `m` in x.
+    output wire [23:0] out_my,  // `m` in y.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [11:0] out_tile  // Tile index: row above column.
 );
     reg free_valid;
     reg [11:0] free;
@@ -4959,15 +4959,15 @@ endmodule
 module splat_heap (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Entries in any order.
     output wire in_ready,
-    input  wire [11:0] in_tile,
-    input  wire [11:0] in_pointer,
-    output wire out_valid,
+    input  wire [11:0] in_tile,  // Tile index.
+    input  wire [11:0] in_pointer,  // Place of the payload.
+    output wire out_valid,  // Entries in order.
     input  wire out_ready,
-    output wire [11:0] out_tile,
-    output wire [11:0] out_pointer,
-    output wire empty
+    output wire [11:0] out_tile,  // Tile index.
+    output wire [11:0] out_pointer,  // Place of the payload.
+    output wire empty  // It holds no entry.
 );
     reg ends, lower;
     reg [11:0] count;
@@ -6471,73 +6471,73 @@ endmodule
 module splat_splitter (
     input  wire clk,
     input  wire rst,
-    input  wire in_valid,
+    input  wire in_valid,  // Footprints with bounds in the image.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [8:0] in_left,
-    input  wire [8:0] in_right,
-    input  wire [8:0] in_top,
-    input  wire [8:0] in_bottom,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
+    input  wire [23:0] in_ax,  // `A` in x.
+    input  wire [23:0] in_bx,  // `B` in x.
+    input  wire [23:0] in_ay,  // `A` in y.
+    input  wire [23:0] in_by,  // `B` in y.
+    input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
+    input  wire [23:0] in_mx,  // `m` in x.
+    input  wire [23:0] in_my,  // `m` in y.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [8:0] in_left,  // First column.
+    input  wire [8:0] in_right,  // Last column.
+    input  wire [8:0] in_top,  // First row.
+    input  wire [8:0] in_bottom,  // Last row.
+    output wire out_valid,  // Copies with bounds in their tiles.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_ax,  // `A` in x.
+    output wire [23:0] out_bx,  // `B` in x.
+    output wire [23:0] out_ay,  // `A` in y.
+    output wire [23:0] out_by,  // `B` in y.
+    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [23:0] out_mx,  // `m` in x.
+    output wire [23:0] out_my,  // `m` in y.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [2:0] out_left,  // First column.
+    output wire [2:0] out_right,  // Last column.
+    output wire [2:0] out_top,  // First row.
+    output wire [2:0] out_bottom,  // Last row.
+    output wire [11:0] out_tile  // Tile index: row above column.
 );
     reg busy, idle, last, splat_end;
     reg [23:0] splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta, splat_mx;

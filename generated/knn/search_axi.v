@@ -502,10 +502,10 @@ endmodule
 module bus_reader (
     input  wire clk,
     input  wire rst,
-    input  wire request_valid,
+    input  wire request_valid,  // Records wanted.
     output wire request_ready,
-    input  wire [31:0] request_address,
-    input  wire [2:0] request_records,
+    input  wire [31:0] request_address,  // Where the first one lies.
+    input  wire [2:0] request_records,  // How many.
     output wire m_axi_arvalid,
     input  wire m_axi_arready,
     output wire [3:0] m_axi_arid,

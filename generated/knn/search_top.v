@@ -5,59 +5,59 @@
 module search_top (
     input  wire clk,
     input  wire rst,
-    input  wire tree_valid,
-    input  wire tree_is_leaf,
-    input  wire [13:0] tree_address,
-    input  wire [31:0] tree_split,
-    input  wire [1:0] tree_dimension,
-    input  wire tree_internal_leaf,
-    input  wire [21:0] tree_begin,
-    input  wire [2:0] tree_beats,
-    input  wire query_valid,
+    input  wire tree_valid,  // Write to the tree memories, not while a query is under way.
+    input  wire tree_is_leaf,  // Chooses the leaf table, else the node memory.
+    input  wire [13:0] tree_address,  // The leaf's number or the node.
+    input  wire [31:0] tree_split,  // Where its plane cuts its dimension.
+    input  wire [1:0] tree_dimension,  // Its dimension.
+    input  wire tree_internal_leaf,  // It is a leaf.
+    input  wire [21:0] tree_begin,  // The first beat.
+    input  wire [2:0] tree_beats,  // The number of beats, at least one.
+    input  wire query_valid,  // Queries.
     output wire query_ready,
-    input  wire [23:0] query_number,
-    input  wire [5:0] query_k,
-    input  wire [31:0] query_radius2,
-    input  wire [31:0] query_x,
-    input  wire [31:0] query_y,
-    input  wire [31:0] query_z,
-    output wire fetch_valid,
+    input  wire [23:0] query_number,  // Its number, which its results bear.
+    input  wire [5:0] query_k,  // Neighbors wanted.
+    input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] query_x,  // Where.
+    input  wire [31:0] query_y,  // Where.
+    input  wire [31:0] query_z,  // Where.
+    output wire fetch_valid,  // Requests to the memory.
     input  wire fetch_ready,
-    output wire [3:0] fetch_thread,
-    output wire [21:0] fetch_address,
-    output wire [2:0] fetch_beats,
-    input  wire beat_valid,
+    output wire [3:0] fetch_thread,  // Thread.
+    output wire [21:0] fetch_address,  // First beat.
+    output wire [2:0] fetch_beats,  // Number of beats, at least one.
+    input  wire beat_valid,  // Points from memory: the beats of a request in order and together, requests in any order.
     output wire beat_ready,
-    input  wire [3:0] beat_thread,
-    input  wire [21:0] beat_address,
-    input  wire beat_last,
-    input  wire [31:0] beat_x0,
-    input  wire [31:0] beat_y0,
-    input  wire [31:0] beat_z0,
-    input  wire [31:0] beat_x1,
-    input  wire [31:0] beat_y1,
-    input  wire [31:0] beat_z1,
-    input  wire [31:0] beat_x2,
-    input  wire [31:0] beat_y2,
-    input  wire [31:0] beat_z2,
-    input  wire [31:0] beat_x3,
-    input  wire [31:0] beat_y3,
-    input  wire [31:0] beat_z3,
-    output wire result_valid,
+    input  wire [3:0] beat_thread,  // Thread.
+    input  wire [21:0] beat_address,  // Address in the point memory.
+    input  wire beat_last,  // Closes its leaf.
+    input  wire [31:0] beat_x0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
+    output wire result_valid,  // Neighbors, nearest first, a query after the other.
     input  wire result_ready,
-    output wire [23:0] result_number,
-    output wire result_last,
-    output wire result_found,
-    output wire [23:0] result_index,
-    output wire [31:0] result_distance2,
-    output wire event_node,
-    output wire event_pop,
-    output wire event_beat,
-    output wire event_insert,
-    output wire event_insert_wait,
-    output wire event_thread_wait,
-    output wire event_point_hit,
-    output wire event_point_miss
+    output wire [23:0] result_number,  // The query's number.
+    output wire result_last,  // Closes the query.
+    output wire result_found,  // Low for a query without any neighbor.
+    output wire [23:0] result_index,  // The neighbor's place in the point memory.
+    output wire [31:0] result_distance2,  // Its squared distance.
+    output wire event_node,  // A node was visited.
+    output wire event_pop,  // A path was popped.
+    output wire event_beat,  // A priority queue was done with a beat of points.
+    output wire event_insert,  // A neighbor was inserted.
+    output wire event_insert_wait,  // A beat stayed for one more insertion.
+    output wire event_thread_wait,  // A query waited for a free thread.
+    output wire event_point_hit,  // The point cache had a leaf that was wanted.
+    output wire event_point_miss  // The point cache lacked a leaf that was wanted.
 );
     wire threads_query_ready, threads_start_valid;
     wire [3:0] threads_start_thread;
@@ -310,52 +310,52 @@ endmodule
 module search_point_cache (
     input  wire clk,
     input  wire rst,
-    input  wire fetch_valid,
+    input  wire fetch_valid,  // Leaves wanted.
     output wire fetch_ready,
-    input  wire [3:0] fetch_thread,
-    input  wire [21:0] fetch_address,
-    input  wire [2:0] fetch_beats,
-    output wire miss_valid,
+    input  wire [3:0] fetch_thread,  // Thread.
+    input  wire [21:0] fetch_address,  // First beat.
+    input  wire [2:0] fetch_beats,  // Number of beats, at least one.
+    output wire miss_valid,  // Requests to the memory.
     input  wire miss_ready,
-    output wire [3:0] miss_thread,
-    output wire [21:0] miss_address,
-    output wire [2:0] miss_beats,
-    output wire beat_valid,
+    output wire [3:0] miss_thread,  // Thread.
+    output wire [21:0] miss_address,  // First beat.
+    output wire [2:0] miss_beats,  // Number of beats, at least one.
+    output wire beat_valid,  // Their points.
     input  wire beat_ready,
-    output wire [3:0] beat_thread,
-    output wire [21:0] beat_address,
-    output wire beat_last,
-    output wire [31:0] beat_x0,
-    output wire [31:0] beat_y0,
-    output wire [31:0] beat_z0,
-    output wire [31:0] beat_x1,
-    output wire [31:0] beat_y1,
-    output wire [31:0] beat_z1,
-    output wire [31:0] beat_x2,
-    output wire [31:0] beat_y2,
-    output wire [31:0] beat_z2,
-    output wire [31:0] beat_x3,
-    output wire [31:0] beat_y3,
-    output wire [31:0] beat_z3,
-    input  wire fill_valid,
+    output wire [3:0] beat_thread,  // Thread.
+    output wire [21:0] beat_address,  // Address in the point memory.
+    output wire beat_last,  // Closes its leaf.
+    output wire [31:0] beat_x0,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_y0,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_z0,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_x1,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_y1,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_z1,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_x2,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_y2,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_z2,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
+    output wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
+    input  wire fill_valid,  // Points from memory.
     output wire fill_ready,
-    input  wire [3:0] fill_thread,
-    input  wire [21:0] fill_address,
-    input  wire fill_last,
-    input  wire [31:0] fill_x0,
-    input  wire [31:0] fill_y0,
-    input  wire [31:0] fill_z0,
-    input  wire [31:0] fill_x1,
-    input  wire [31:0] fill_y1,
-    input  wire [31:0] fill_z1,
-    input  wire [31:0] fill_x2,
-    input  wire [31:0] fill_y2,
-    input  wire [31:0] fill_z2,
-    input  wire [31:0] fill_x3,
-    input  wire [31:0] fill_y3,
-    input  wire [31:0] fill_z3,
-    output reg  event_point_hit,
-    output reg  event_point_miss
+    input  wire [3:0] fill_thread,  // Thread.
+    input  wire [21:0] fill_address,  // Address in the point memory.
+    input  wire fill_last,  // Closes its leaf.
+    input  wire [31:0] fill_x0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_y0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_z0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_x1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_y1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_z1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_x2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_y2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_z2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_x3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_y3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] fill_z3,  // A point a lane; NaN where there is none.
+    output reg  event_point_hit,  // The point cache had a leaf that was wanted.
+    output reg  event_point_miss  // The point cache lacked a leaf that was wanted.
 );
     reg fill_under_way;
     reg [5:0] fill_slot_before;
@@ -774,41 +774,41 @@ endmodule
 module search_queue (
     input  wire clk,
     input  wire rst,
-    input  wire start_valid,
-    input  wire [3:0] start_thread,
-    input  wire [23:0] start_number,
-    input  wire [5:0] start_k,
-    input  wire [31:0] start_radius2,
-    input  wire [31:0] start_x,
-    input  wire [31:0] start_y,
-    input  wire [31:0] start_z,
-    input  wire candidates_valid,
+    input  wire start_valid,  // A thread taking up a query.
+    input  wire [3:0] start_thread,  // Thread.
+    input  wire [23:0] start_number,  // Its number, which its results bear.
+    input  wire [5:0] start_k,  // Neighbors wanted.
+    input  wire [31:0] start_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] start_x,  // Where.
+    input  wire [31:0] start_y,  // Where.
+    input  wire [31:0] start_z,  // Where.
+    input  wire candidates_valid,  // Squared distances.
     output wire candidates_ready,
-    input  wire [3:0] candidates_thread,
-    input  wire [21:0] candidates_address,
-    input  wire candidates_last,
-    input  wire [31:0] candidates_distance0,
-    input  wire [31:0] candidates_distance1,
-    input  wire [31:0] candidates_distance2,
-    input  wire [31:0] candidates_distance3,
-    input  wire finish_valid,
+    input  wire [3:0] candidates_thread,  // Thread.
+    input  wire [21:0] candidates_address,  // Address in the point memory.
+    input  wire candidates_last,  // Closes its leaf.
+    input  wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
+    input  wire finish_valid,  // Threads whose search is over.
     output wire finish_ready,
-    input  wire [3:0] finish_thread,
-    output reg  radius_valid,
-    output reg  [3:0] radius_thread,
-    output reg  [31:0] radius_radius2,
-    output reg  event_insert,
-    output reg  released_valid,
-    output reg  [3:0] released_thread,
-    output wire result_valid,
+    input  wire [3:0] finish_thread,  // Thread.
+    output reg  radius_valid,  // A thread's radius after a leaf.
+    output reg  [3:0] radius_thread,  // Thread.
+    output reg  [31:0] radius_radius2,  // Squared radius.
+    output reg  event_insert,  // A neighbor was inserted.
+    output reg  released_valid,  // A thread whose results are safe.
+    output reg  [3:0] released_thread,  // Thread.
+    output wire result_valid,  // Neighbors, nearest first.
     input  wire result_ready,
-    output wire [23:0] result_number,
-    output wire result_last,
-    output wire result_found,
-    output wire [23:0] result_index,
-    output wire [31:0] result_distance2,
-    output reg  event_beat,
-    output reg  event_insert_wait
+    output wire [23:0] result_number,  // The query's number.
+    output wire result_last,  // Closes the query.
+    output wire result_found,  // Low for a query without any neighbor.
+    output wire [23:0] result_index,  // The neighbor's place in the point memory.
+    output wire [31:0] result_distance2,  // Its squared distance.
+    output reg  event_beat,  // A priority queue was done with a beat of points.
+    output reg  event_insert_wait  // A beat stayed for one more insertion.
 );
     (* ram_style = "distributed" *)
     reg [186:0] arrivals [0:1];
@@ -1368,37 +1368,37 @@ endmodule
 module search_sieve (
     input  wire clk,
     input  wire rst,
-    input  wire start_valid,
-    input  wire [3:0] start_thread,
-    input  wire [23:0] start_number,
-    input  wire [5:0] start_k,
-    input  wire [31:0] start_radius2,
-    input  wire [31:0] start_x,
-    input  wire [31:0] start_y,
-    input  wire [31:0] start_z,
-    input  wire radius_valid,
-    input  wire [3:0] radius_thread,
-    input  wire [31:0] radius_radius2,
-    input  wire candidates_valid,
+    input  wire start_valid,  // A thread taking up a query.
+    input  wire [3:0] start_thread,  // Thread.
+    input  wire [23:0] start_number,  // Its number, which its results bear.
+    input  wire [5:0] start_k,  // Neighbors wanted.
+    input  wire [31:0] start_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] start_x,  // Where.
+    input  wire [31:0] start_y,  // Where.
+    input  wire [31:0] start_z,  // Where.
+    input  wire radius_valid,  // A thread's new radius.
+    input  wire [3:0] radius_thread,  // Thread.
+    input  wire [31:0] radius_radius2,  // Squared radius.
+    input  wire candidates_valid,  // Squared distances; the beats of a leaf come together.
     output wire candidates_ready,
-    input  wire [3:0] candidates_thread,
-    input  wire [21:0] candidates_address,
-    input  wire candidates_last,
-    input  wire [31:0] candidates_distance0,
-    input  wire [31:0] candidates_distance1,
-    input  wire [31:0] candidates_distance2,
-    input  wire [31:0] candidates_distance3,
-    output wire kept_valid,
+    input  wire [3:0] candidates_thread,  // Thread.
+    input  wire [21:0] candidates_address,  // Address in the point memory.
+    input  wire candidates_last,  // Closes its leaf.
+    input  wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
+    output wire kept_valid,  // Beats with a point that is near enough.
     input  wire kept_ready,
-    output wire [3:0] kept_thread,
-    output wire [21:0] kept_address,
-    output wire kept_last,
-    output wire [31:0] kept_distance0,
-    output wire [31:0] kept_distance1,
-    output wire [31:0] kept_distance2,
-    output wire [31:0] kept_distance3,
-    output reg  skipped_valid,
-    output reg  [3:0] skipped_thread
+    output wire [3:0] kept_thread,  // Thread.
+    output wire [21:0] kept_address,  // Address in the point memory.
+    output wire kept_last,  // Closes its leaf.
+    output wire [31:0] kept_distance0,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] kept_distance1,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] kept_distance2,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] kept_distance3,  // A squared distance a lane; NaN where there is no point.
+    output reg  skipped_valid,  // The thread of a leaf of which no beat was kept.
+    output reg  [3:0] skipped_thread  // Thread.
 );
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
@@ -1627,57 +1627,57 @@ endmodule
 module search_leaf (
     input  wire clk,
     input  wire rst,
-    input  wire tree_valid,
-    input  wire tree_is_leaf,
-    input  wire [13:0] tree_address,
-    input  wire [31:0] tree_split,
-    input  wire [1:0] tree_dimension,
-    input  wire tree_internal_leaf,
-    input  wire [21:0] tree_begin,
-    input  wire [2:0] tree_beats,
-    input  wire leaf_valid,
+    input  wire tree_valid,  // Write to the leaf table.
+    input  wire tree_is_leaf,  // Chooses the leaf table, else the node memory.
+    input  wire [13:0] tree_address,  // The leaf's number or the node.
+    input  wire [31:0] tree_split,  // Where its plane cuts its dimension.
+    input  wire [1:0] tree_dimension,  // Its dimension.
+    input  wire tree_internal_leaf,  // It is a leaf.
+    input  wire [21:0] tree_begin,  // The first beat.
+    input  wire [2:0] tree_beats,  // The number of beats, at least one.
+    input  wire leaf_valid,  // Leaves reached.
     output wire leaf_ready,
-    input  wire [3:0] leaf_thread,
-    input  wire [13:0] leaf_leaf,
-    output wire fetch_valid,
+    input  wire [3:0] leaf_thread,  // Thread.
+    input  wire [13:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
+    output wire fetch_valid,  // Requests to the memory.
     input  wire fetch_ready,
-    output wire [3:0] fetch_thread,
-    output wire [21:0] fetch_address,
-    output wire [2:0] fetch_beats,
-    input  wire start_valid,
-    input  wire [3:0] start_thread,
-    input  wire [23:0] start_number,
-    input  wire [5:0] start_k,
-    input  wire [31:0] start_radius2,
-    input  wire [31:0] start_x,
-    input  wire [31:0] start_y,
-    input  wire [31:0] start_z,
-    input  wire beat_valid,
+    output wire [3:0] fetch_thread,  // Thread.
+    output wire [21:0] fetch_address,  // First beat.
+    output wire [2:0] fetch_beats,  // Number of beats, at least one.
+    input  wire start_valid,  // A thread taking up a query.
+    input  wire [3:0] start_thread,  // Thread.
+    input  wire [23:0] start_number,  // Its number, which its results bear.
+    input  wire [5:0] start_k,  // Neighbors wanted.
+    input  wire [31:0] start_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] start_x,  // Where.
+    input  wire [31:0] start_y,  // Where.
+    input  wire [31:0] start_z,  // Where.
+    input  wire beat_valid,  // Points from memory.
     output wire beat_ready,
-    input  wire [3:0] beat_thread,
-    input  wire [21:0] beat_address,
-    input  wire beat_last,
-    input  wire [31:0] beat_x0,
-    input  wire [31:0] beat_y0,
-    input  wire [31:0] beat_z0,
-    input  wire [31:0] beat_x1,
-    input  wire [31:0] beat_y1,
-    input  wire [31:0] beat_z1,
-    input  wire [31:0] beat_x2,
-    input  wire [31:0] beat_y2,
-    input  wire [31:0] beat_z2,
-    input  wire [31:0] beat_x3,
-    input  wire [31:0] beat_y3,
-    input  wire [31:0] beat_z3,
-    output wire candidates_valid,
+    input  wire [3:0] beat_thread,  // Thread.
+    input  wire [21:0] beat_address,  // Address in the point memory.
+    input  wire beat_last,  // Closes its leaf.
+    input  wire [31:0] beat_x0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z0,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z1,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z2,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
+    input  wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
+    output wire candidates_valid,  // Their squared distances.
     input  wire candidates_ready,
-    output wire [3:0] candidates_thread,
-    output wire [21:0] candidates_address,
-    output wire candidates_last,
-    output wire [31:0] candidates_distance0,
-    output wire [31:0] candidates_distance1,
-    output wire [31:0] candidates_distance2,
-    output wire [31:0] candidates_distance3
+    output wire [3:0] candidates_thread,  // Thread.
+    output wire [21:0] candidates_address,  // Address in the point memory.
+    output wire candidates_last,  // Closes its leaf.
+    output wire [31:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
+    output wire [31:0] candidates_distance3  // A squared distance a lane; NaN where there is no point.
 );
     reg f0_valid, f1_valid;
     reg [3:0] f0_thread, f1_thread;
@@ -2255,32 +2255,32 @@ endmodule
 module search_recursion (
     input  wire clk,
     input  wire rst,
-    input  wire start_valid,
-    input  wire [3:0] start_thread,
-    input  wire [23:0] start_number,
-    input  wire [5:0] start_k,
-    input  wire [31:0] start_radius2,
-    input  wire [31:0] start_x,
-    input  wire [31:0] start_y,
-    input  wire [31:0] start_z,
-    input  wire radius_valid,
-    input  wire [3:0] radius_thread,
-    input  wire [31:0] radius_radius2,
-    input  wire in_valid,
+    input  wire start_valid,  // A thread taking up a query.
+    input  wire [3:0] start_thread,  // Thread.
+    input  wire [23:0] start_number,  // Its number, which its results bear.
+    input  wire [5:0] start_k,  // Neighbors wanted.
+    input  wire [31:0] start_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] start_x,  // Where.
+    input  wire [31:0] start_y,  // Where.
+    input  wire [31:0] start_z,  // Where.
+    input  wire radius_valid,  // A thread's new radius.
+    input  wire [3:0] radius_thread,  // Thread.
+    input  wire [31:0] radius_radius2,  // Squared radius.
+    input  wire in_valid,  // Threads that want their next path.
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire top_empty,
-    input  wire [14:0] top_node,
-    input  wire [31:0] top_distance2,
-    output wire resume_valid,
+    input  wire [3:0] in_thread,  // Thread.
+    input  wire top_empty,  // The stack of the last pop was empty.
+    input  wire [14:0] top_node,  // The subtree's root.
+    input  wire [31:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
+    output wire resume_valid,  // Descents from a path that was not taken before.
     input  wire resume_ready,
-    output wire [3:0] resume_thread,
-    output wire [14:0] resume_node,
-    output wire pop_valid,
-    output wire [3:0] pop_thread,
-    output reg  empty_valid,
-    output reg  [3:0] empty_thread,
-    output reg  event_pop
+    output wire [3:0] resume_thread,  // Thread.
+    output wire [14:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
+    output wire pop_valid,  // A thread that wants its last path back.
+    output wire [3:0] pop_thread,  // Thread.
+    output reg  empty_valid,  // A thread without a path left.
+    output reg  [3:0] empty_thread,  // Thread.
+    output reg  event_pop  // A path was popped.
 );
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
@@ -2445,15 +2445,15 @@ endmodule
 module search_stack (
     input  wire clk,
     input  wire rst,
-    input  wire push_valid,
-    input  wire [3:0] push_thread,
-    input  wire [14:0] push_node,
-    input  wire [31:0] push_distance2,
-    input  wire pop_valid,
-    input  wire [3:0] pop_thread,
-    output reg  top_empty,
-    output wire [14:0] top_node,
-    output wire [31:0] top_distance2
+    input  wire push_valid,  // A path to remember.
+    input  wire [3:0] push_thread,  // Thread.
+    input  wire [14:0] push_node,  // The subtree's root.
+    input  wire [31:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    input  wire pop_valid,  // A thread that wants its last path back.
+    input  wire [3:0] pop_thread,  // Thread.
+    output reg  top_empty,  // The stack of the last pop was empty.
+    output wire [14:0] top_node,  // The subtree's root.
+    output wire [31:0] top_distance2  // Squared distance of the query to the splitting plane before it.
 );
     reg [3:0] depth_0, depth_1, depth_2, depth_3, depth_4, depth_5, depth_6, depth_7, depth_8, depth_9, depth_10;
     reg [3:0] depth_11, depth_12, depth_13, depth_14, depth_15;
@@ -2568,41 +2568,41 @@ endmodule
 module search_traversal (
     input  wire clk,
     input  wire rst,
-    input  wire start_valid,
-    input  wire [3:0] start_thread,
-    input  wire [23:0] start_number,
-    input  wire [5:0] start_k,
-    input  wire [31:0] start_radius2,
-    input  wire [31:0] start_x,
-    input  wire [31:0] start_y,
-    input  wire [31:0] start_z,
-    input  wire descend_valid,
+    input  wire start_valid,  // A thread taking up a query.
+    input  wire [3:0] start_thread,  // Thread.
+    input  wire [23:0] start_number,  // Its number, which its results bear.
+    input  wire [5:0] start_k,  // Neighbors wanted.
+    input  wire [31:0] start_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] start_x,  // Where.
+    input  wire [31:0] start_y,  // Where.
+    input  wire [31:0] start_z,  // Where.
+    input  wire descend_valid,  // Descents from the root.
     output wire descend_ready,
-    input  wire [3:0] descend_thread,
-    input  wire [14:0] descend_node,
-    input  wire resume_valid,
+    input  wire [3:0] descend_thread,  // Thread.
+    input  wire [14:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
+    input  wire resume_valid,  // Descents from a path that was not taken before.
     output wire resume_ready,
-    input  wire [3:0] resume_thread,
-    input  wire [14:0] resume_node,
-    output wire leaf_valid,
+    input  wire [3:0] resume_thread,  // Thread.
+    input  wire [14:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
+    output wire leaf_valid,  // Leaves reached.
     input  wire leaf_ready,
-    output wire [3:0] leaf_thread,
-    output wire [13:0] leaf_leaf,
-    input  wire tree_valid,
-    input  wire tree_is_leaf,
-    input  wire [13:0] tree_address,
-    input  wire [31:0] tree_split,
-    input  wire [1:0] tree_dimension,
-    input  wire tree_internal_leaf,
-    input  wire [21:0] tree_begin,
-    input  wire [2:0] tree_beats,
-    output reg  event_node,
-    output wire push_valid,
-    output wire [3:0] push_thread,
-    output wire [14:0] push_node,
-    output wire [31:0] push_distance2,
-    output wire reached_valid,
-    output wire [3:0] reached_thread
+    output wire [3:0] leaf_thread,  // Thread.
+    output wire [13:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
+    input  wire tree_valid,  // Write to the node memory.
+    input  wire tree_is_leaf,  // Chooses the leaf table, else the node memory.
+    input  wire [13:0] tree_address,  // The leaf's number or the node.
+    input  wire [31:0] tree_split,  // Where its plane cuts its dimension.
+    input  wire [1:0] tree_dimension,  // Its dimension.
+    input  wire tree_internal_leaf,  // It is a leaf.
+    input  wire [21:0] tree_begin,  // The first beat.
+    input  wire [2:0] tree_beats,  // The number of beats, at least one.
+    output reg  event_node,  // A node was visited.
+    output wire push_valid,  // A path to remember.
+    output wire [3:0] push_thread,  // Thread.
+    output wire [14:0] push_node,  // The subtree's root.
+    output wire [31:0] push_distance2,  // Squared distance of the query to the splitting plane before it.
+    output wire reached_valid,  // A thread's descent ended in a leaf.
+    output wire [3:0] reached_thread  // Thread.
 );
     reg f_valid;
     reg [3:0] f_thread;
@@ -3140,43 +3140,43 @@ endmodule
 module search_threads (
     input  wire clk,
     input  wire rst,
-    input  wire query_valid,
+    input  wire query_valid,  // Queries.
     output wire query_ready,
-    input  wire [23:0] query_number,
-    input  wire [5:0] query_k,
-    input  wire [31:0] query_radius2,
-    input  wire [31:0] query_x,
-    input  wire [31:0] query_y,
-    input  wire [31:0] query_z,
-    output reg  start_valid,
-    output reg  [3:0] start_thread,
-    output reg  [23:0] start_number,
-    output reg  [5:0] start_k,
-    output reg  [31:0] start_radius2,
-    output reg  [31:0] start_x,
-    output reg  [31:0] start_y,
-    output reg  [31:0] start_z,
-    output wire descend_valid,
+    input  wire [23:0] query_number,  // Its number, which its results bear.
+    input  wire [5:0] query_k,  // Neighbors wanted.
+    input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] query_x,  // Where.
+    input  wire [31:0] query_y,  // Where.
+    input  wire [31:0] query_z,  // Where.
+    output reg  start_valid,  // A thread taking up a query.
+    output reg  [3:0] start_thread,  // Thread.
+    output reg  [23:0] start_number,  // Its number, which its results bear.
+    output reg  [5:0] start_k,  // Neighbors wanted.
+    output reg  [31:0] start_radius2,  // Squared radius within which neighbors count.
+    output reg  [31:0] start_x,  // Where.
+    output reg  [31:0] start_y,  // Where.
+    output reg  [31:0] start_z,  // Where.
+    output wire descend_valid,  // Descents from the root.
     input  wire descend_ready,
-    output wire [3:0] descend_thread,
-    output wire [14:0] descend_node,
-    output wire pop_valid,
+    output wire [3:0] descend_thread,  // Thread.
+    output wire [14:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
+    output wire pop_valid,  // Threads that want their next path.
     input  wire pop_ready,
-    output wire [3:0] pop_thread,
-    output wire finish_valid,
+    output wire [3:0] pop_thread,  // Thread.
+    output wire finish_valid,  // Threads whose search is over.
     input  wire finish_ready,
-    output wire [3:0] finish_thread,
-    input  wire reached_valid,
-    input  wire [3:0] reached_thread,
-    input  wire leaf_done_valid,
-    input  wire [3:0] leaf_done_thread,
-    input  wire skipped_valid,
-    input  wire [3:0] skipped_thread,
-    input  wire empty_valid,
-    input  wire [3:0] empty_thread,
-    input  wire released_valid,
-    input  wire [3:0] released_thread,
-    output reg  event_thread_wait
+    output wire [3:0] finish_thread,  // Thread.
+    input  wire reached_valid,  // A thread's descent ended in a leaf.
+    input  wire [3:0] reached_thread,  // Thread.
+    input  wire leaf_done_valid,  // All points of a leaf are in the thread's queue.
+    input  wire [3:0] leaf_done_thread,  // Thread.
+    input  wire skipped_valid,  // No point of a leaf was near enough for the thread's queue.
+    input  wire [3:0] skipped_thread,  // Thread.
+    input  wire empty_valid,  // A thread's stack was empty.
+    input  wire [3:0] empty_thread,  // Thread.
+    input  wire released_valid,  // A thread whose results are safe.
+    input  wire [3:0] released_thread,  // Thread.
+    output reg  event_thread_wait  // A query waited for a free thread.
 );
     reg [15:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
     reg pop_shown;

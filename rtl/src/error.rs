@@ -83,6 +83,14 @@ pub enum FaultKind {
         /// The name that was asked for.
         port: String,
     },
+    /// Something is said of a port that the module has not declared.
+    #[error("`{unit}` has no port `{port}` to say anything of")]
+    UndeclaredPort {
+        /// The module's unit.
+        unit: String,
+        /// The name that was asked for.
+        port: String,
+    },
     /// Two things in a module have one name.
     #[error("the name `{0}` is used twice")]
     NameClash(String),

@@ -10,17 +10,20 @@ pub(super) struct FramePort {
     pub name: String,
     pub width: u32,
     pub kind: PortKind,
+    /// What it is for.
+    pub document: Option<String>,
 }
 
 impl FramePort {
-    /// `input  wire [7:0] name`.
-    fn declaration(&self) -> String {
+    /// `input  wire [7:0] name,  // What it is for.`
+    fn declaration(&self, separator: &str) -> String {
         let kind = match self.kind {
             PortKind::Input => "input  wire",
             PortKind::OutputWire => "output wire",
             PortKind::OutputReg => "output reg ",
         };
-        format!("{kind} {}{}", range(self.width), self.name)
+        let comment = self.document.as_ref().map_or(String::new(), |text| format!("  // {text}"));
+        format!("{kind} {}{}{separator}{comment}", range(self.width), self.name)
     }
 }
 
@@ -40,8 +43,15 @@ impl Frame {
         for line in &self.header {
             let _ = writeln!(out, "// {line}");
         }
-        let ports: Vec<String> = self.ports.iter().map(|port| format!("    {}", port.declaration())).collect();
-        let _ = writeln!(out, "module {} (\n{}\n);", self.name, ports.join(",\n"));
+        let _ = writeln!(out, "module {} (", self.name);
+        // A module without ports has an empty line between its parentheses.
+        let none = if self.ports.is_empty() { "\n" } else { "" };
+        out.push_str(none);
+        for (index, port) in self.ports.iter().enumerate() {
+            let separator = if index + 1 < self.ports.len() { "," } else { "" };
+            let _ = writeln!(out, "    {}", port.declaration(separator));
+        }
+        out.push_str(");\n");
         for line in self.body.lines() {
             // Directives stand at the left margin.
             let indent = if line.is_empty() || line.starts_with('`') { "" } else { "    " };

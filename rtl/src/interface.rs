@@ -57,6 +57,20 @@ impl StreamDeclaration {
 }
 
 impl Module {
+    /// Says what a port is for: a comment behind its declaration in the Verilog. Text of several lines becomes one; where it is empty,
+    /// nothing is said. Modules that differ in comments alone are one, with those of the first.
+    #[track_caller]
+    pub fn document(&mut self, port: &str, text: &str) {
+        if !self.ports.iter().any(|declared| declared.shape(self).0 == port) {
+            let (unit, port) = (self.unit.clone(), port.to_owned());
+            return self.fault(FaultKind::UndeclaredPort { unit, port });
+        }
+        let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+        if !lines.is_empty() {
+            self.documents.insert(port.to_owned(), lines.join(" "));
+        }
+    }
+
     /// Declares the ports of a record that comes in with a flag and is always taken; returns the flag and the fields.
     #[track_caller]
     pub fn pulse_in(&mut self, name: &str, flag: &str, layout: &[(impl AsRef<str>, u32)]) -> (Expr, Vec<Expr>) {

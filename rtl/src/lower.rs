@@ -1,6 +1,6 @@
 //! From checked modules to Verilog: identical ones are folded, the rest are named by unit and variants.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::rc::Rc;
@@ -29,6 +29,8 @@ pub(super) struct Lowered {
     /// Indices of the modules of its children.
     pub children: Vec<usize>,
     summary: String,
+    /// What is said of ports, by their names: no part of what makes two modules one.
+    documents: BTreeMap<String, String>,
     foreign: Option<Rc<ForeignBlock>>,
     body: Body,
     implicit: Implicit,
@@ -97,6 +99,7 @@ impl Library {
                 memories: Storage::of(&graph),
                 children,
                 summary: module.summary.clone(),
+                documents: module.documents.clone(),
                 foreign: module.foreign.clone(),
                 body,
                 implicit,
@@ -196,7 +199,11 @@ fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
         body.push('\n');
     }
     body += &module.body.after;
-    let ports = module.body.ports.iter();
-    let ports = ports.map(|(name, width, kind)| FramePort { name: name.clone(), width: *width, kind: *kind }).collect();
-    Frame { name: name.into(), header: header(module), ports, body }
+    let port = |(name, width, kind): &(String, u32, PortKind)| FramePort {
+        name: name.clone(),
+        width: *width,
+        kind: *kind,
+        document: module.documents.get(name).cloned(),
+    };
+    Frame { name: name.into(), header: header(module), ports: module.body.ports.iter().map(port).collect(), body }
 }

@@ -1,6 +1,6 @@
 //! A module under construction: ports, wires, registers and assertions.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fmt::Display;
 use std::panic::Location;
 use std::rc::Rc;
@@ -32,6 +32,8 @@ pub struct Module {
     /// Those of the parameters that are part of its name.
     pub(super) variants: Vec<String>,
     pub(super) ports: Vec<PortDeclaration>,
+    /// What is said of ports, by their names.
+    pub(super) documents: BTreeMap<String, String>,
     pub(super) streams: Vec<StreamDeclaration>,
     /// Fields that share ports.
     pub(super) packed: Vec<Packed>,
@@ -120,6 +122,7 @@ impl Module {
             parameters: vec![],
             variants: vec![],
             ports: vec![],
+            documents: BTreeMap::new(),
             streams: vec![],
             packed: vec![],
             signals: vec![],

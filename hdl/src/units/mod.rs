@@ -1,6 +1,7 @@
 //! What the units of both cores share.
 
 pub(crate) mod datapath;
+mod documents;
 pub(crate) mod ports;
 pub(crate) mod queue;
 pub(crate) mod sliced;

@@ -9,6 +9,7 @@ use pointcore_contract::unit::{In, Input, Out, Output, PulseIn, PulseOut};
 use pointcore_contract::{Record, fields};
 use rtl::{Expr, Instance, Module, Stream, Wire, bit};
 
+use super::documents::{self, prefix};
 use super::wires::{Bundle, Places, Wired, layout, places};
 use crate::stream::{half_buffer, skid};
 
@@ -98,7 +99,9 @@ pub(crate) trait StreamInPorts<R: Record>: Sized {
 
 impl<R: Record> StreamInPorts<R> for In<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
-        Flow::typed(m.stream_in(self.name, &layout::<R>(config)), config)
+        let stream = m.stream_in(self.name, &layout::<R>(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        Flow::typed(stream, config)
     }
 
     fn queue(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
@@ -150,10 +153,13 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
 impl<R: Record> StreamOutPorts<R> for Out<R> {
     fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>) {
         m.stream_export(self.name, &stream.plain(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
     }
 
     fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
-        m.stream_out(self.name, valid, record.named(config))
+        let ready = m.stream_out(self.name, valid, record.named(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        ready
     }
 
     fn queue(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
@@ -229,6 +235,7 @@ pub(crate) trait PulseInPorts<R: Record>: Sized {
 impl<R: Record> PulseInPorts<R> for PulseIn<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Pulse<Wired<R>> {
         let (valid, values) = m.pulse_in(self.name, self.flag, &layout::<R>(config));
+        documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
         Pulse { valid, record: Bundle::from_values(config, values) }
     }
 
@@ -259,6 +266,7 @@ pub(crate) trait PulseOutPorts<R: Record>: Sized {
 impl<R: Record> PulseOutPorts<R> for PulseOut<R> {
     fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
         m.pulse_out(self.name, self.flag, valid, record.named(config));
+        documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
     }
 
     fn registered(
@@ -281,11 +289,6 @@ impl<R: Record> PulseOutPorts<R> for PulseOut<R> {
     }
 }
 
-/// What stands before the names of a group's fields.
-fn prefix(name: &str) -> String {
-    if name.is_empty() { String::new() } else { format!("{name}_") }
-}
-
 /// A record into a unit in every cycle.
 pub(crate) trait InputPorts<R: Record>: Sized {
     /// Declares the ports on the unit.
@@ -297,7 +300,9 @@ pub(crate) trait InputPorts<R: Record>: Sized {
 
 impl<R: Record> InputPorts<R> for Input<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Wired<R> {
-        Bundle::input(m, config, &prefix(self.name))
+        let record = Bundle::input(m, config, &prefix(self.name));
+        documents::of_fields::<R>(m, config, self.name);
+        record
     }
 
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, record: Wired<R>) {
@@ -335,12 +340,15 @@ impl<R: Record> OutputPorts<R> for Output<R> {
         happens: impl Into<Expr>,
     ) {
         let place = which(places::<R>(config)).expect("a unit has the events that it tells of");
-        let name = format!("{}{}", prefix(self.name), fields::<R>(config)[place].name);
+        let field = &fields::<R>(config)[place];
+        let name = format!("{}{}", prefix(self.name), field.name);
         event_out(m, &name, happens);
+        m.document(&name, field.doc);
     }
 
     fn drive(self, m: &mut Module, config: &R::Config, record: Wired<R>) {
         record.output(m, config, &prefix(self.name));
+        documents::of_fields::<R>(m, config, self.name);
     }
 
     fn events(self, m: &mut Module, config: &R::Config, happens: Wired<R>) {
@@ -366,19 +374,26 @@ pub(crate) trait WordPort: Copy {
     /// Its name.
     fn name(self) -> &'static str;
 
+    /// What it is for.
+    fn doc(self) -> &'static str;
+
     /// Declares it on the unit.
     fn declare_word(self, m: &mut Module, width: u32) -> Expr {
-        m.input(self.name(), width)
+        let value = m.input(self.name(), width);
+        m.document(self.name(), self.doc());
+        value
     }
 
     /// Drives it on the unit.
     fn drive_word(self, m: &mut Module, value: impl Into<Expr>) {
         m.output(self.name(), value);
+        m.document(self.name(), self.doc());
     }
 
     /// Drives it on the unit in the cycle after `happens`.
     fn event(self, m: &mut Module, happens: impl Into<Expr>) {
         event_out(m, self.name(), happens);
+        m.document(self.name(), self.doc());
     }
 
     /// What an instance of the unit puts out.
@@ -396,11 +411,19 @@ impl<W> WordPort for Input<W> {
     fn name(self) -> &'static str {
         self.name
     }
+
+    fn doc(self) -> &'static str {
+        self.doc
+    }
 }
 
 impl<W> WordPort for Output<W> {
     fn name(self) -> &'static str {
         self.name
+    }
+
+    fn doc(self) -> &'static str {
+        self.doc
     }
 }
 

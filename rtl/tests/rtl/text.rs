@@ -45,6 +45,52 @@ fn a_small_module_reads_well() {
     assert_eq!(design.verilog(), ACCUMULATOR);
 }
 
+/// Comments stand behind the ports that they are of; without them the text is what it was.
+#[test]
+fn what_is_said_of_ports_stands_behind_them() {
+    let mut m = accumulator();
+    m.document("enable", "Whether a value\n  comes in.");
+    m.document("value", "");
+    m.document("over", "The limit is reached.");
+    let design = elaborate(&m).expect("the module has no fault");
+    let text = design.verilog();
+    assert!(
+        text.contains("    input  wire enable,  // Whether a value comes in.\n    input  wire [7:0] value,\n"),
+        "{text}"
+    );
+    assert!(text.contains("    output wire over  // The limit is reached.\n);\n"), "{text}");
+    let bare: String =
+        text.lines().skip(2).map(|line| line.split("  //").next().unwrap_or(line).to_owned() + "\n").collect();
+    assert!(ACCUMULATOR.ends_with(&bare) && bare.starts_with("module accumulator ("), "{bare}");
+}
+
+#[test]
+fn modules_that_differ_in_comments_alone_are_one() {
+    let mut m = Module::new("pair", "Two of a kind.");
+    for (name, text) in [("first", "One word."), ("second", "Another.")] {
+        let mut part = Module::new("inverter", "Inverts.");
+        let input = part.input("in", 1);
+        part.output("out", !input);
+        part.document("in", text);
+        let part = m.instance(name, part);
+        let input = m.input(&format!("{name}_in"), 1);
+        m.connect(part, "in", input);
+        let out = m.out(part, "out");
+        m.output(&format!("{name}_out"), out);
+    }
+    let design = elaborate(&m).expect("the module has no fault");
+    assert_eq!(design.modules().len(), 2);
+    assert!(design.verilog().contains("input  wire in,  // One word.") && !design.verilog().contains("Another."));
+}
+
+#[test]
+fn only_declared_ports_can_be_spoken_of() {
+    let mut m = accumulator();
+    m.document("totals", "Nothing is called so.");
+    let faults = elaborate(&m).expect_err("there is no such port").to_string();
+    assert!(faults.contains("`accumulator` has no port `totals` to say anything of"), "{faults}");
+}
+
 #[test]
 fn what_is_used_twice_becomes_a_wire_and_what_is_not_used_goes() {
     let mut m = Module::new("shared", "Uses a sum three times.");

@@ -6,7 +6,7 @@ use crate::{fields, record};
 /// What the priority queues did.
 #[record(config: Config)]
 pub struct QueueEvents {
-    /// The unit was done with a beat of points.
+    /// A priority queue was done with a beat of points.
     #[name("event_beat")]
     pub beat: bool,
     /// A neighbor was inserted.
@@ -20,10 +20,10 @@ pub struct QueueEvents {
 /// Leaves that the point cache had, and had not.
 #[record(config: Config)]
 pub struct PointCacheEvents {
-    /// It had one that was wanted.
+    /// The point cache had a leaf that was wanted.
     #[name("event_point_hit")]
     pub hit: bool,
-    /// It had not.
+    /// The point cache lacked a leaf that was wanted.
     #[name("event_point_miss")]
     pub miss: bool,
 }
@@ -31,10 +31,10 @@ pub struct PointCacheEvents {
 /// Records that the tree cache had, and had not.
 #[record(config: Config)]
 pub struct TreeCacheEvents {
-    /// It had one that was wanted.
+    /// The tree cache had a record that was wanted.
     #[name("event_tree_hit")]
     pub hit: bool,
-    /// It had not.
+    /// The tree cache lacked a record that was wanted.
     #[name("event_tree_miss")]
     pub miss: bool,
 }
@@ -42,10 +42,10 @@ pub struct TreeCacheEvents {
 /// Queries that the neighbor cache answered, and did not.
 #[record(config: Config)]
 pub struct NeighborCacheEvents {
-    /// A neighborhood covered one.
+    /// A neighborhood of the neighbor cache covered a query.
     #[name("event_cache_hit")]
     pub hit: bool,
-    /// None did.
+    /// No neighborhood of the neighbor cache covered a query.
     #[name("event_cache_miss")]
     pub miss: bool,
 }

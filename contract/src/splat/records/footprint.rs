@@ -37,7 +37,7 @@ pub struct DepthPlane {
     #[name(["depth_near", "depth_far"][i])]
     #[bits(config.raster_format().coefficient_width())]
     pub range: [u32; 2],
-    /// Half the ε-band (eq. 5.9).
+    /// Half the epsilon band (eq. 5.9).
     #[bits(config.raster_format().coefficient_width())]
     pub epsilon: u32,
 }
@@ -61,7 +61,7 @@ pub struct Footprint {
     /// `B` in y.
     #[bits(config.raster_format().coefficient_width())]
     pub by: u32,
-    /// `Δ`.
+    /// The determinant of `A` and `B`.
     #[bits(config.raster_format().delta_width())]
     pub delta: u32,
     /// `m` in x.

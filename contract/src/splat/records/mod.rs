@@ -58,7 +58,7 @@ pub struct Splat {
     #[name(format!("center_{}", AXES[i]))]
     #[bits(config.geometry.width())]
     pub center: [u32; 3],
-    /// Tangents, whose ends lie at ρ = 1.
+    /// Tangents, whose ends lie at rho = 1.
     #[name(format!("tangent{}_{}", i + 1, AXES[j]))]
     #[bits(config.geometry.width())]
     pub tangents: [[u32; 3]; 2],

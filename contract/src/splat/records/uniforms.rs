@@ -70,7 +70,7 @@ pub struct Uniforms {
 /// A write to a uniform register.
 #[record(config: Config)]
 pub struct UniformWrite {
-    /// Its place among [`Uniforms`].
+    /// Its place among the frame's uniforms.
     #[bits(UNIFORM_ADDRESS_BITS)]
     pub address: u8,
     /// Its new value.

@@ -6,13 +6,13 @@ use crate::{fields, record};
 /// What the rasterizer did.
 #[record(config: Config)]
 pub struct RasterizerEvents {
-    /// It evaluated a sample.
+    /// The rasterizer evaluated a sample.
     #[name("event_sample")]
     pub sample: bool,
-    /// It had no copy to work on.
+    /// The rasterizer had no copy to work on.
     #[name("event_starved")]
     pub starved: bool,
-    /// Its pipeline was held by what follows it.
+    /// The rasterizer's pipeline was held by what follows it.
     #[name("event_blocked")]
     pub blocked: bool,
 }
@@ -20,13 +20,13 @@ pub struct RasterizerEvents {
 /// What the accumulator did.
 #[record(config: Config)]
 pub struct AccumulatorEvents {
-    /// It took a sample.
+    /// The accumulator took a sample.
     #[name("event_accumulate")]
     pub accumulate: bool,
-    /// It waited for an earlier sample of the same pixel.
+    /// The accumulator waited for an earlier sample of the same pixel.
     #[name("event_hazard")]
     pub hazard: bool,
-    /// It waited for its tile to arrive in the cache.
+    /// The accumulator waited for its tile to arrive in the cache.
     #[name("event_slot_wait")]
     pub slot_wait: bool,
 }
