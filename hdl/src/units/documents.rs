@@ -4,18 +4,18 @@ use pointcore_contract::{Record, fields};
 use rtl::Module;
 
 /// What stands before the names of a group's fields.
-pub(super) fn prefix(name: &str) -> String {
+pub(in crate::units) fn prefix(name: &str) -> String {
     if name.is_empty() { String::new() } else { format!("{name}_") }
 }
 
 /// Says of the flag of declared ports what the group is for, and of each field what it holds.
-pub(super) fn flagged<R: Record>(m: &mut Module, config: &R::Config, (name, flag): (&str, &str), doc: &str) {
+pub(in crate::units) fn flagged<R: Record>(m: &mut Module, config: &R::Config, (name, flag): (&str, &str), doc: &str) {
     m.document(&format!("{name}_{flag}"), doc);
     of_fields::<R>(m, config, name);
 }
 
 /// Says of the field of each declared port what it holds.
-pub(super) fn of_fields<R: Record>(m: &mut Module, config: &R::Config, name: &str) {
+pub(in crate::units) fn of_fields<R: Record>(m: &mut Module, config: &R::Config, name: &str) {
     for field in fields::<R>(config) {
         m.document(&format!("{}{}", prefix(name), field.name), field.doc);
     }

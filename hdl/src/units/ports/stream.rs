@@ -1,0 +1,201 @@
+//! `valid`/`ready` streams at a unit's border.
+
+use std::marker::PhantomData;
+
+use pointcore_contract::Record;
+use pointcore_contract::unit::{In, Out};
+use rtl::{Expr, Instance, Module, Stream, Wire};
+
+use crate::stream::{half_buffer, skid};
+use crate::units::documents;
+use crate::units::wires::{Bundle, Wired, layout};
+
+/// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
+#[derive(Clone, Copy)]
+pub(crate) struct Flow<B> {
+    /// An item is there.
+    pub valid: Expr,
+    /// The item.
+    pub record: B,
+    /// The consumer takes the item.
+    pub ready: Wire,
+}
+
+impl<B: Bundle> Flow<B> {
+    /// The item moves in this cycle.
+    pub fn transfer(&self) -> Expr {
+        self.valid & self.ready
+    }
+
+    /// The stream of what is made of its items.
+    pub fn map<T>(self, item: impl FnOnce(B) -> T) -> Flow<T> {
+        Flow { valid: self.valid, record: item(self.record), ready: self.ready }
+    }
+
+    /// The stream field by field.
+    pub fn plain(self, config: &B::Config) -> Stream {
+        Stream { valid: self.valid, fields: self.record.named(config).collect(), ready: self.ready }
+    }
+
+    fn typed(stream: Stream, config: &B::Config) -> Self {
+        let values = stream.fields.iter().map(|(_, value)| *value);
+        Self { valid: stream.valid, record: B::from_values(config, values), ready: stream.ready }
+    }
+
+    /// Feeds the ports `<port>_…` of an instance.
+    pub fn into(self, m: &mut Module, config: &B::Config, instance: Instance, port: &str) {
+        m.stream_into(instance, port, &self.plain(config));
+    }
+
+    /// What an instance puts out at the ports `<port>_…`.
+    pub fn from(m: &mut Module, config: &B::Config, instance: Instance, port: &str) -> Self {
+        Self::typed(m.stream_from(instance, port), config)
+    }
+
+    /// Leads the stream through a queue, an instance of that name.
+    pub fn through(self, m: &mut Module, config: &B::Config, name: &str, queue: Module) -> Self {
+        let queue = m.instance(name, queue);
+        self.into(m, config, queue, "in");
+        Self::from(m, config, queue, "out")
+    }
+}
+
+/// A stream into a unit.
+pub(crate) trait StreamInPorts<R: Record>: Sized {
+    /// Declares the ports on the unit.
+    fn declare(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>>;
+
+    /// Declares the ports and puts a queue of two behind them; returns the queue's head.
+    fn queue(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>>;
+
+    /// As [`StreamInPorts::queue`] at half rate, for records so wide that a register for one is enough to pay.
+    fn half(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>>;
+
+    /// Feeds an instance of the unit.
+    fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, stream: Flow<Wired<R>>);
+
+    /// Offers an instance of the unit a record in cycles where `valid` is set; returns whether it can take one.
+    fn offer(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        instance: Instance,
+        valid: impl Into<Expr>,
+        record: Wired<R>,
+    ) -> Expr;
+}
+
+impl<R: Record> StreamInPorts<R> for In<R> {
+    fn declare(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
+        let stream = m.stream_in(self.name, &layout::<R>(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        Flow::typed(stream, config)
+    }
+
+    fn queue(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
+        let ports = self.declare(m, config);
+        ports.through(m, config, &format!("{}_queue", self.name), skid(&layout::<R>(config)))
+    }
+
+    fn half(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
+        let ports = self.declare(m, config);
+        ports.through(m, config, &format!("{}_queue", self.name), half_buffer(&layout::<R>(config)))
+    }
+
+    fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, stream: Flow<Wired<R>>) {
+        stream.into(m, config, instance, self.name);
+    }
+
+    fn offer(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        instance: Instance,
+        valid: impl Into<Expr>,
+        record: Wired<R>,
+    ) -> Expr {
+        m.connect(instance, &format!("{}_valid", self.name), valid);
+        record.connect(m, config, instance, &format!("{}_", self.name));
+        m.out(instance, &format!("{}_ready", self.name))
+    }
+}
+
+/// A stream out of a unit.
+pub(crate) trait StreamOutPorts<R: Record>: Sized {
+    /// Drives the ports on the unit; returns whether an item is taken.
+    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr;
+
+    /// Leads an inner stream out of the unit.
+    fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>);
+
+    /// Declares the ports on the unit, with a queue of two before them.
+    fn queue(self, m: &mut Module, config: &R::Config) -> QueueOut<R>;
+
+    /// As [`StreamOutPorts::queue`] at half rate, for records so wide that a register for one is enough to pay.
+    fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R>;
+
+    /// The stream that an instance of the unit puts out.
+    fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>>;
+}
+
+impl<R: Record> StreamOutPorts<R> for Out<R> {
+    fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>) {
+        m.stream_export(self.name, &stream.plain(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+    }
+
+    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
+        let ready = m.stream_out(self.name, valid, record.named(config));
+        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        ready
+    }
+
+    fn queue(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
+        QueueOut::new(self, m, config, skid(&layout::<R>(config)))
+    }
+
+    fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
+        QueueOut::new(self, m, config, half_buffer(&layout::<R>(config)))
+    }
+
+    fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>> {
+        Flow::from(m, config, instance, self.name)
+    }
+}
+
+/// A queue whose head is a stream that goes out.
+pub(crate) struct QueueOut<R> {
+    instance: Instance,
+    record: PhantomData<R>,
+    /// An item can be pushed in this cycle.
+    pub room: Expr,
+    /// It holds an item.
+    pub holds: Expr,
+}
+
+impl<R: Record> QueueOut<R> {
+    fn new(ports: Out<R>, m: &mut Module, config: &R::Config, buffer: Module) -> Self {
+        let instance = m.instance(&format!("{}_queue", ports.name), buffer);
+        let head = Flow::from(m, config, instance, "out");
+        ports.export(m, config, head);
+        let room = m.out(instance, "in_ready");
+        Self { instance, record: PhantomData, room, holds: head.valid }
+    }
+
+    /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
+    pub fn push(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
+        m.connect(self.instance, "in_valid", valid);
+        record.connect(m, config, self.instance, "in_");
+    }
+}
+
+/// Leads a stream from one unit to another.
+pub(crate) fn pipe<R: Record>(
+    m: &mut Module,
+    config: &R::Config,
+    (from, out): (Instance, Out<R>),
+    (to, input): (Instance, In<R>),
+) {
+    let stream = out.of(m, config, from);
+    input.feed(m, config, to, stream);
+}
