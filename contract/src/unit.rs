@@ -98,12 +98,6 @@ impl Interface {
         let rst = Port { name: "rst".into(), width: 1, direction: Direction::Input };
         std::iter::once(rst).chain(self.groups.iter().flat_map(Group::ports)).collect()
     }
-
-    /// The group of this name.
-    #[must_use]
-    pub fn group(&self, name: &str) -> Option<&Group> {
-        self.groups.iter().find(|group| group.name == name)
-    }
 }
 
 /// A unit in a list of all.
