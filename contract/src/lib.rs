@@ -8,6 +8,7 @@ pub mod bus;
 pub mod camera;
 pub mod configuration;
 pub mod format;
+pub mod places;
 pub mod record;
 pub mod rendering;
 pub mod search;
@@ -18,7 +19,8 @@ pub mod unit;
 
 pub use camera::Camera;
 pub use format::{Fixed, Format, Signedness, Subnormals};
-pub use pointcore_contract_macros::{record, unit};
+pub use places::{Places, places};
+pub use pointcore_contract_macros::{ports, record, unit};
 pub use record::{
     Domain, Field, Record, Visit, Visitor, Word, Words, fields, read, visit_optional, width, words, write,
 };

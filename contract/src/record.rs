@@ -4,6 +4,7 @@
 //! ```
 //! use pointcore_contract::{fields, record};
 //!
+//! #[derive(Clone)]
 //! pub struct Config {
 //!     lanes: u32,
 //! }
@@ -100,9 +101,9 @@ pub trait Visitor<D: Domain> {
 }
 
 /// Values in the order of ports.
-pub trait Visit<D: Domain>: Copy + Default {
+pub trait Visit<D: Domain>: Copy + Debug + Default {
     /// What the layout depends on.
-    type Config;
+    type Config: Clone;
 
     /// Hands every value of the layout to the visitor.
     fn visit(&mut self, config: &Self::Config, visitor: &mut impl Visitor<D>);

@@ -45,11 +45,30 @@ impl Kind {
     }
 }
 
+/// What the port is called that says whether an item of a stream is taken.
+pub const READY: &str = "ready";
+
+/// The name of a part of a group of ports; either may be empty.
+fn port_name(group: &str, part: &str) -> String {
+    match (group, part) {
+        ("", part) => part.to_owned(),
+        (group, "") => group.to_owned(),
+        (group, part) => format!("{group}_{part}"),
+    }
+}
+
+/// The name of a part of a bus's channel, where buses put nothing between.
+pub(crate) fn channel_port(bus: &str, channel: &str, part: &str) -> String {
+    format!("{bus}_{channel}{part}")
+}
+
 /// Ports that belong together: `<name>_<flag>`, `<name>_ready` and `<name>_<field>`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// What their names begin with; may be empty.
     pub name: &'static str,
+    /// What their names go on with where they are a channel of the bus of that name: `<name>_<channel><flag>`.
+    pub channel: Option<&'static str>,
     /// What they are for.
     pub doc: &'static str,
     /// What the flag is called, usually `valid`.
@@ -66,19 +85,18 @@ impl Group {
     /// The name of a port.
     #[must_use]
     pub fn port_name(&self, part: &str) -> String {
-        match (self.name, part) {
-            ("", part) => part.to_owned(),
-            (name, "") => name.to_owned(),
-            (name, part) => format!("{name}_{part}"),
+        match self.channel {
+            Some(channel) => channel_port(self.name, channel, part),
+            None => port_name(self.name, part),
         }
     }
 
     /// The group's ports: flag, `ready`, fields.
-    fn ports(&self) -> impl Iterator<Item = Port> {
+    pub fn ports(&self) -> impl Iterator<Item = Port> {
         let port = |part: &str, width, direction| Port { name: self.port_name(part), width, direction };
         let direction = self.kind.direction();
         let flag = self.kind.has_flag().then(|| port(self.flag, 1, direction));
-        let ready = self.kind.has_ready().then(|| port("ready", 1, direction.reversed()));
+        let ready = self.kind.has_ready().then(|| port(READY, 1, direction.reversed()));
         let fields = self.fields.iter().map(move |field| port(&field.name, field.width, direction));
         flag.into_iter().chain(ready).chain(fields)
     }
@@ -147,6 +165,12 @@ macro_rules! descriptors {
                 #[must_use]
                 pub const fn new(name: &'static str, flag: &'static str, doc: &'static str) -> Self {
                     Self { name, flag, doc, record: PhantomData }
+                }
+
+                /// The name of one of the ports: of the flag, of [`READY`], of a field.
+                #[must_use]
+                pub fn port(&self, part: &str) -> String {
+                    port_name(self.name, part)
                 }
             }
 

@@ -1,8 +1,10 @@
 //! `bus_packet_in` against its model: good packets between short, long and senseless ones.
 
-use pointcore_contract::bus::packets::{self, FieldRange};
-use pointcore_contract::search;
-use pointcore_contract::{Field, fields, splat};
+use pointcore_contract::bus::packets::Packet;
+use pointcore_contract::bus::units::packet_in::Ports;
+use pointcore_contract::search::records::CachedQuery;
+use pointcore_contract::splat::records::Splat;
+use pointcore_contract::{self as contract, Field, Words, fields, read, search, splat};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use pointcore_hdl::bus::packet_in;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -15,27 +17,29 @@ const QUIET_CYCLES: u32 = 100;
 /// Packets of a run where they do not say themselves which is the last.
 const RUN: u64 = 5;
 
+/// A record that comes as a packet.
+trait Received: Packet<Domain = Words> + PartialEq {}
+
+impl<R: Packet<Domain = Words> + PartialEq> Received for R {}
+
 /// Random values of a record, now and then one out of its range.
-fn record(fields: &[Field], range: Option<FieldRange>, random: &mut fastrand::Rng) -> Vec<u64> {
-    let value = |Field { name, width, .. }: &Field, random: &mut fastrand::Rng| match range {
-        Some(range) if range.name == name && random.u8(..8) > 0 => random.u32(range.low..=range.high).into(),
-        _ if name == "end" => u64::from(random.u8(..6) == 0),
-        _ => random.u64(..) >> (64 - width),
+fn record<R: Received>(config: &R::Config, random: &mut fastrand::Rng) -> R {
+    let (range, end) = (R::range(config), R::end(config));
+    let value = |(place, field): (usize, Field)| match range {
+        Some(range) if range.field == place && random.u8(..8) > 0 => random.u32(range.low..=range.high).into(),
+        _ if end == Some(place) => u64::from(random.u8(..6) == 0),
+        _ => random.u64(..) >> (64 - field.width),
     };
-    fields.iter().map(|field| value(field, random)).collect()
+    let values: Vec<u64> = fields::<R>(config).into_iter().enumerate().map(value).collect();
+    read(config, &values)
 }
 
 /// The beats of many packets, some of a wrong length.
-fn beats(
-    fields: &[Field],
-    stream_bits: u32,
-    range: Option<FieldRange>,
-    random: &mut fastrand::Rng,
-) -> Vec<(Vec<u8>, bool)> {
-    let sender = PacketOut::new(fields, stream_bits);
+fn beats<R: Received>(config: &R::Config, stream_bits: u32, random: &mut fastrand::Rng) -> Vec<(Vec<u8>, bool)> {
+    let sender = PacketOut::<R>::new(config, stream_bits);
     let mut all = vec![];
     for _ in 0..PACKETS {
-        let mut packet = sender.beats(&record(fields, range, random));
+        let mut packet = sender.beats(record(config, random));
         let whole = packet.len();
         match random.u8(..8) {
             0 => packet.truncate(random.usize(1..=whole)),
@@ -51,29 +55,27 @@ fn beats(
 }
 
 /// Sends all beats; the unit must take and refuse what the model does, in the same cycles, and be open when it is to be.
-fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed: u64) {
+fn exchange<R: Received>(config: &R::Config, stream_bits: u32, seed: u64) {
     let mut random = fastrand::Rng::with_seed(seed);
-    let mut bench = Bench::new(packet_in::module(fields, stream_bits, range.as_ref()), seed);
-    let has_end = fields[0].name == "end";
+    let mut bench = Bench::new(packet_in::module::<R>(config, stream_bits), seed);
+    let (end, ports) = (R::end(config), Ports::<R>::ALL);
     let pattern = stalls(&mut random);
-    let mut source = Feed::new(&bench, "s_axis_t", &["data", "last"], &mut random, pattern);
-    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
-    let mut sink = Drain::new(&bench, "out_", &names, stalls(&mut random));
-    let mut sent = beats(fields, stream_bits, range, &mut random);
+    let mut source = Feed::new(&bench, ports.packets.beats, &stream_bits, &mut random, pattern);
+    let mut sink = Drain::new(&bench, ports.out, config, stalls(&mut random));
+    let mut sent = beats::<R>(config, stream_bits, &mut random);
     // A good packet that ends the last run, whatever came before.
-    let mut closing = vec![0; fields.len()];
-    closing[0] = 1;
-    if let Some(range) = range {
-        closing[names.iter().position(|name| *name == range.name).unwrap()] = range.low.into();
-    }
-    (0..RUN).for_each(|_| sent.extend(PacketOut::new(fields, stream_bits).beats(&closing)));
+    let mut closing = vec![0; fields::<R>(config).len()];
+    end.into_iter().for_each(|end| closing[end] = 1);
+    R::range(config).into_iter().for_each(|range| closing[range.field] = range.low.into());
+    let closing: R = read(config, &closing);
+    (0..RUN).for_each(|_| sent.extend(PacketOut::new(config, stream_bits).beats(closing)));
     for (data, tlast) in &sent {
         let mut item = words(data);
         item.push(u64::from(*tlast));
         source.items.push_back(item);
     }
 
-    let mut model = PacketIn::new(fields, stream_bits, range);
+    let mut model = PacketIn::<R>::new(config, stream_bits);
     let (mut expected, mut received) = (vec![], vec![]);
     let (mut is_open, mut in_packet, mut left) = (false, false, RUN);
     let (mut verdict, mut refused) = (None, 0);
@@ -82,7 +84,7 @@ fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed:
     while idle < QUIET_CYCLES {
         let opening = !is_open && !in_packet && random.u8(..10) == 0;
         bench.set("opens", opening.into());
-        if !has_end {
+        if end.is_none() {
             bench.set("last", u64::from(left == 1));
         }
         source.offer(&mut bench);
@@ -98,55 +100,59 @@ fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed:
             let (data, tlast) = beat.split_at(beat.len() - 1);
             in_packet = tlast[0] == 0;
             verdict = model.beat(&bytes(data, beat_bytes), tlast[0] == 1);
-            if let Some(Verdict::Taken(record)) = &verdict {
+            if let Some(Verdict::Taken(record)) = verdict {
                 left -= 1;
-                is_open = if has_end { record[0] == 0 } else { left > 0 };
+                is_open = end.map_or(left > 0, |end| contract::words(config, record)[end] == 0);
                 left = if left == 0 { RUN } else { left };
-                expected.push(record.clone());
+                expected.push(record);
             }
         }
         is_open |= opening;
-        received.extend(sink.taken(&bench));
+        received.extend(sink.taken(&bench).map(|item| read::<R>(config, &item)));
         idle = if source.items.is_empty() { idle + 1 } else { 0 };
     }
     assert_eq!(received, expected);
     assert!(refused > 10 && expected.len() > PACKETS / 2, "{refused} refused, {} taken", expected.len());
 }
 
-fn splat() -> Vec<Field> {
-    fields::<splat::records::Splat>(&splat::Config { continuous: 3, ..splat::Config::default() })
+fn splats() -> splat::Config {
+    splat::Config { continuous: 3, ..splat::Config::default() }
 }
 
-fn query() -> (Vec<Field>, FieldRange) {
-    let config = search::Config { neighbors: 20, ..search::Config::default() };
-    let [query, _] = packets::query_and_result(&config);
-    (query, packets::query_range(&config))
+fn queries() -> search::Config {
+    search::Config { neighbors: 20, ..search::Config::default() }
 }
 
 #[test]
 fn good_packets_come_out_and_others_are_counted() {
     for seed in seeds(SEEDS).unwrap() {
         for stream_bits in [32, 64, 512] {
-            exchange(&splat(), stream_bits, None, seed);
-            let (query, range) = query();
-            exchange(&query, stream_bits, Some(range), seed);
+            exchange::<Splat>(&splats(), stream_bits, seed);
+            exchange::<CachedQuery>(&queries(), stream_bits, seed);
         }
     }
 }
 
+/// A query that is none too many neighbors.
+fn query(config: &search::Config, random: &mut fastrand::Rng) -> CachedQuery {
+    let mut query: CachedQuery = record(config, random);
+    query.query.k = query.query.k.clamp(1, config.neighbors as u8);
+    query
+}
+
 #[test]
 fn it_takes_a_beat_in_every_cycle() {
-    let (fields, _) = query();
+    let config = &queries();
+    let ports = Ports::<CachedQuery>::ALL;
     for stream_bits in [32, 512] {
         let mut random = fastrand::Rng::with_seed(1);
-        let mut bench = Bench::new(packet_in::module(&fields, stream_bits, None), 1);
+        let mut bench = Bench::new(packet_in::module::<CachedQuery>(config, stream_bits), 1);
         let never = || Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
-        let mut source = Feed::new(&bench, "s_axis_t", &["data", "last"], &mut random, never());
-        let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
-        let mut sink = Drain::new(&bench, "out_", &names, never());
-        let sender = PacketOut::new(&fields, stream_bits);
+        let mut source = Feed::new(&bench, ports.packets.beats, &stream_bits, &mut random, never());
+        let mut sink = Drain::new(&bench, ports.out, config, never());
+        let sender = PacketOut::<CachedQuery>::new(config, stream_bits);
         for _ in 0..PACKETS {
-            for (data, tlast) in sender.beats(&record(&fields, None, &mut random)) {
+            for (data, tlast) in sender.beats(query(config, &mut random)) {
                 source.items.push_back(words(&data).into_iter().chain([u64::from(tlast)]).collect());
             }
         }

@@ -1,8 +1,9 @@
 //! `bus_packet_out` against its model.
 
-use pointcore_contract::bus::packets;
-use pointcore_contract::search;
-use pointcore_contract::{Field, fields, splat};
+use pointcore_contract::bus::units::packet_out::Ports;
+use pointcore_contract::search::records::CachedResult;
+use pointcore_contract::splat::records::Fragment;
+use pointcore_contract::{Record, Words, fields, read, search, splat};
 use pointcore_golden::bus::PacketOut;
 use pointcore_hdl::bus::packet_out;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -11,26 +12,23 @@ use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls, words};
 
 const RECORDS: usize = 300;
 
-fn records() -> [Vec<Field>; 2] {
-    let fragment =
-        fields::<splat::records::Fragment>(&splat::Config { continuous: 5, cardinal: 1, ..splat::Config::default() });
-    let [_, result] = packets::query_and_result(&search::Config::default());
-    [fragment, result]
+fn fragments() -> splat::Config {
+    splat::Config { continuous: 5, cardinal: 1, ..splat::Config::default() }
 }
 
 /// Sends records; returns the cycles that it took.
-fn exchange(fields: &[Field], stream_bits: u32, seed: u64, patterns: [Stalls; 2]) -> (u64, u64) {
+fn exchange<R: Record<Domain = Words>>(config: &R::Config, stream_bits: u32, seed: u64, patterns: [Stalls; 2]) -> (u64, u64) {
     let mut random = fastrand::Rng::with_seed(seed);
-    let mut bench = Bench::new(packet_out::module(fields, stream_bits), seed);
-    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
+    let mut bench = Bench::new(packet_out::module::<R>(config, stream_bits), seed);
+    let ports = Ports::<R>::ALL;
     let [source_stalls, sink_stalls] = patterns;
-    let mut source = Feed::new(&bench, "in_", &names, &mut random, source_stalls);
-    let mut sink = Drain::new(&bench, "m_axis_t", &["data", "last"], sink_stalls);
-    let model = PacketOut::new(fields, stream_bits);
+    let mut source = Feed::new(&bench, ports.input, config, &mut random, source_stalls);
+    let mut sink = Drain::new(&bench, ports.packets.beats, &stream_bits, sink_stalls);
+    let model = PacketOut::<R>::new(config, stream_bits);
     let mut expected = vec![];
     for _ in 0..RECORDS {
-        let record: Vec<u64> = fields.iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
-        expected.extend(model.beats(&record));
+        let record: Vec<u64> = fields::<R>(config).iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
+        expected.extend(model.beats(read(config, &record)));
         source.items.push_back(record);
     }
     let (mut received, mut sent_due, mut inside) = (vec![], false, 0i64);
@@ -59,9 +57,9 @@ fn packets_are_the_records_in_order() {
     for seed in seeds(SEEDS).unwrap() {
         let mut random = fastrand::Rng::with_seed(seed);
         for stream_bits in [32, 64, 512] {
-            for fields in records() {
-                exchange(&fields, stream_bits, seed, [stalls(&mut random), stalls(&mut random)]);
-            }
+            let [fragment_stalls, result_stalls] = [(); 2].map(|()| [stalls(&mut random), stalls(&mut random)]);
+            exchange::<Fragment>(&fragments(), stream_bits, seed, fragment_stalls);
+            exchange::<CachedResult>(&search::Config::default(), stream_bits, seed, result_stalls);
         }
     }
 }
@@ -69,9 +67,10 @@ fn packets_are_the_records_in_order() {
 #[test]
 fn it_sends_a_beat_in_every_cycle() {
     for stream_bits in [32, 64, 512] {
-        for fields in records() {
-            let never = || Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
-            let (cycles, beats) = exchange(&fields, stream_bits, 1, [never(), never()]);
+        let never = || [(); 2].map(|()| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1)));
+        let fragments = exchange::<Fragment>(&fragments(), stream_bits, 1, never());
+        let results = exchange::<CachedResult>(&search::Config::default(), stream_bits, 1, never());
+        for (cycles, beats) in [fragments, results] {
             assert!(cycles <= beats + 2, "{cycles} cycles for {beats} beats");
         }
     }

@@ -2,9 +2,12 @@
 
 use std::collections::VecDeque;
 
-use pointcore_contract::bus::packets;
-use pointcore_contract::search;
-use pointcore_contract::{Field, fields, splat};
+use pointcore_contract::bus::axi::BurstAddress;
+use pointcore_contract::bus::units::ReadRequest;
+use pointcore_contract::bus::units::reader::Ports;
+use pointcore_contract::search::records::Points;
+use pointcore_contract::splat::records::Pixel;
+use pointcore_contract::{self as contract, Record, Words, read, search, splat};
 use pointcore_golden::bus::{Burst, Reader};
 use pointcore_hdl::bus::reader;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -15,7 +18,7 @@ const REQUESTS: usize = 150;
 const BORDER_BYTES: u32 = 4096;
 const BURSTS_MAX: usize = 16;
 /// `INCR`.
-const INCREMENTING: u64 = 1;
+const INCREMENTING: u8 = 1;
 const SLAVE_ERROR: u64 = 2;
 
 /// A byte of the memory, from its address.
@@ -40,8 +43,8 @@ struct Exchange {
 }
 
 /// Reads all requests, and compares bursts, records and counts.
-fn exchange(
-    fields: &[Field],
+fn exchange<R: Record<Domain = Words> + PartialEq>(
+    config: &R::Config,
     memory_bits: u32,
     requests: &[(u32, u32)],
     records_max: u32,
@@ -50,21 +53,21 @@ fn exchange(
     mut pattern: impl FnMut(&mut fastrand::Rng) -> Stalls,
 ) -> Exchange {
     let mut random = fastrand::Rng::with_seed(seed);
-    let mut bench = Bench::new(reader::module(fields, memory_bits, records_max), seed);
-    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
+    let mut bench = Bench::new(reader::module::<R>(config, memory_bits, records_max), seed);
+    let ports = Ports::<R>::ALL;
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [asks, addresses, answers, taken] = <[Stalls; 4]>::try_from(patterns).unwrap();
-    let mut request = Feed::new(&bench, "request_", &["address", "records"], &mut random, asks);
-    let mut address = Drain::new(&bench, "m_axi_ar", &["id", "addr", "len", "size", "burst"], addresses);
-    let mut data = Feed::new(&bench, "m_axi_r", &["id", "data", "resp", "last"], &mut random, answers);
-    let mut record = Drain::new(&bench, "record_", &names, taken);
+    let mut request = Feed::new(&bench, ports.request, &records_max, &mut random, asks);
+    let mut address = Drain::new(&bench, ports.memory.address, &(), addresses);
+    let mut data = Feed::new(&bench, ports.memory.data, &memory_bits, &mut random, answers);
+    let mut record = Drain::new(&bench, ports.record, config, taken);
 
-    let model = Reader::new(fields, memory_bits);
+    let model = Reader::<R>::new(config, memory_bits);
     let beat_bytes = memory_bits / 8;
     let mut bursts = VecDeque::new();
     let mut records = VecDeque::new();
     for &(first, count) in requests {
-        request.items.push_back(vec![first.into(), count.into()]);
+        request.items.push_back(contract::words(&records_max, ReadRequest { address: first, records: count }));
         bursts.extend(model.bursts(first, count));
         let addresses = (0..count).map(|number| first + number * model.stride());
         records.extend(addresses.map(|address| model.record(&memory(address, model.stride()))));
@@ -91,8 +94,9 @@ fn exchange(
         }
         if let Some(burst) = address.taken(&bench) {
             let Burst { address: first, beats } = bursts.pop_front().expect("no more bursts than asked for");
-            let size = u64::from(beat_bytes.ilog2());
-            assert_eq!(burst, [0, first.into(), u64::from(beats) - 1, size, INCREMENTING], "cycle {}", bench.cycle);
+            let (length, size) = ((beats - 1) as u8, beat_bytes.ilog2() as u8);
+            let expected = BurstAddress { id: 0, address: first, length, size, burst: INCREMENTING };
+            assert_eq!(read::<BurstAddress>(&(), &burst), expected, "cycle {}", bench.cycle);
             assert_eq!(
                 first / BORDER_BYTES,
                 (first + beats * beat_bytes - 1) / BORDER_BYTES,
@@ -120,7 +124,7 @@ fn exchange(
             }
         }
         if let Some(fields) = record.taken(&bench) {
-            assert_eq!(Some(fields), records.pop_front(), "cycle {}", bench.cycle);
+            assert_eq!(Some(read::<R>(config, &fields)), records.pop_front(), "cycle {}", bench.cycle);
         }
         quiet = if records.is_empty() { quiet + 1 } else { 0 };
     }
@@ -142,41 +146,50 @@ fn requests(stride: u32, records_max: u32, random: &mut fastrand::Rng) -> Vec<(u
     (0..REQUESTS).map(|_| request(random)).collect()
 }
 
-fn records() -> [(Vec<Field>, u32); 3] {
-    let pixel =
-        fields::<splat::records::Pixel>(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() });
-    let points = packets::points(&search::Config { lanes: 2, ..search::Config::default() });
-    [(pixel.clone(), 64), (points, 9), (pixel, 1)]
+fn pixels() -> splat::Config {
+    splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() }
+}
+
+fn points() -> search::Config {
+    search::Config { lanes: 2, ..search::Config::default() }
+}
+
+fn exchange_all<R: Record<Domain = Words> + PartialEq>(config: &R::Config, records_max: u32, seed: u64) {
+    let mut random = fastrand::Rng::with_seed(seed);
+    for memory_bits in [32, 64, 512] {
+        let stride = Reader::<R>::new(config, memory_bits).stride();
+        let requests = requests(stride, records_max, &mut random);
+        exchange::<R>(config, memory_bits, &requests, records_max, Memory::Faulty, seed, stalls);
+    }
 }
 
 #[test]
 fn bursts_and_records_are_those_asked_for() {
     for seed in seeds(SEEDS).unwrap() {
-        let mut random = fastrand::Rng::with_seed(seed);
-        for (fields, records_max) in records() {
-            for memory_bits in [32, 64, 512] {
-                let stride = Reader::new(&fields, memory_bits).stride();
-                let requests = requests(stride, records_max, &mut random);
-                exchange(&fields, memory_bits, &requests, records_max, Memory::Faulty, seed, stalls);
-            }
+        exchange_all::<Pixel>(&pixels(), 64, seed);
+        exchange_all::<Points>(&points(), 9, seed);
+        exchange_all::<Pixel>(&pixels(), 1, seed);
+    }
+}
+
+fn takes_a_beat_in_every_cycle<R: Record<Domain = Words> + PartialEq>(config: &R::Config, records_max: u32) {
+    let never = |_: &mut fastrand::Rng| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
+    for memory_bits in [32, 64, 512] {
+        let stride = Reader::<R>::new(config, memory_bits).stride();
+        for count in [1, records_max] {
+            let requests: Vec<_> =
+                (0..REQUESTS as u32).map(|number| (number * 3 * stride * count, count)).collect();
+            let Exchange { cycles, beats } =
+                exchange::<R>(config, memory_bits, &requests, records_max, Memory::Sound, 1, never);
+            // The way through the unit, and the memory's.
+            assert!(cycles <= beats + 10, "{cycles} cycles for {beats} beats");
         }
     }
 }
 
 #[test]
 fn it_takes_a_beat_in_every_cycle() {
-    let never = |_: &mut fastrand::Rng| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
-    for (fields, records_max) in records() {
-        for memory_bits in [32, 64, 512] {
-            let stride = Reader::new(&fields, memory_bits).stride();
-            for count in [1, records_max] {
-                let requests: Vec<_> =
-                    (0..REQUESTS as u32).map(|number| (number * 3 * stride * count, count)).collect();
-                let Exchange { cycles, beats } =
-                    exchange(&fields, memory_bits, &requests, records_max, Memory::Sound, 1, never);
-                // The way through the unit, and the memory's.
-                assert!(cycles <= beats + 10, "{cycles} cycles for {beats} beats");
-            }
-        }
-    }
+    takes_a_beat_in_every_cycle::<Pixel>(&pixels(), 64);
+    takes_a_beat_in_every_cycle::<Points>(&points(), 9);
+    takes_a_beat_in_every_cycle::<Pixel>(&pixels(), 1);
 }

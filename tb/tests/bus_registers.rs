@@ -1,12 +1,12 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
-use pointcore_contract::Field;
-use pointcore_contract::bus::ports::{self, ErrorSources};
-use pointcore_contract::bus::registers::CONTROL;
-use pointcore_contract::bus::{Register, registers as maps};
-use pointcore_contract::search;
-use pointcore_contract::splat;
-use pointcore_golden::bus::registers::Error;
+use pointcore_contract::bus::registers::{
+    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, RegisterMap, RunCounter, SearchRegisters, SplatRegisters,
+    UniformBits,
+};
+use pointcore_contract::bus::units::registers::Ports;
+use pointcore_contract::bus::{RegisterKind, Register};
+use pointcore_contract::{fields, search, splat};
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
 use pointcore_tb::lockstep::seeds;
@@ -16,12 +16,28 @@ use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 const ACCESSES: usize = 1500;
 /// Cycles between two accesses in which anything may happen.
 const EVENTFUL_CYCLES: u32 = 40;
-const ERRORS: [(&str, Error); 4] = [
-    ("busy_error", Error::Busy),
-    ("burst_error", Error::Burst),
-    ("packet_error", Error::Packet),
-    ("memory_error", Error::Memory),
-];
+
+/// The inputs for errors, their counters, and how many sources each has.
+fn errors(sources: ErrorSources) -> Vec<(String, ErrorCounter, u32)> {
+    let counters = [
+        (ErrorCounter::Busy, sources.busy),
+        (ErrorCounter::Burst, sources.burst),
+        (ErrorCounter::Packet, sources.packet),
+        (ErrorCounter::Memory, sources.memory),
+    ];
+    let present = counters.into_iter().filter(|(_, count)| *count > 0);
+    let names = fields::<ErrorInputs>(&sources).into_iter().map(|field| field.name);
+    names.zip(present).map(|(name, (counter, count))| (name, counter, count)).collect()
+}
+
+/// The inputs that count in a run, and their counters.
+fn counted<M: RegisterMap>(config: &M::Config) -> Vec<(String, RunCounter)> {
+    let ports = Ports::<M>::ALL;
+    let events = fields::<M::Events>(config).into_iter().enumerate();
+    let events = events.map(|(place, field)| (field.name, RunCounter::Event(place)));
+    let packets = [(ports.packet_taken, RunCounter::PacketsIn), (ports.packet_sent, RunCounter::PacketsOut)];
+    events.chain(packets.map(|(port, counter)| (port.name.to_owned(), counter))).collect()
+}
 
 /// A host that makes one access at a time, and the core's side.
 struct Host {
@@ -42,17 +58,18 @@ struct Host {
 }
 
 impl Host {
-    fn new(map: &[Register], sources: ErrorSources, seed: u64) -> Self {
+    fn new<M: RegisterMap>(config: &M::Config, sources: ErrorSources, seed: u64) -> Self {
+        let (map, host) = (&M::registers(config), Ports::<M>::ALL.host);
         let mut random = fastrand::Rng::with_seed(seed);
-        let bench = Bench::new(registers::module(map, sources), seed);
+        let bench = Bench::new(registers::module::<M>(config, sources), seed);
         let patterns: Vec<_> = (0..5).map(|_| stalls(&mut random)).collect();
         let [a, w, b, ar, r] = <[_; 5]>::try_from(patterns).unwrap();
-        let address = Feed::new(&bench, "s_axil_aw", &["addr"], &mut random, a);
-        let data = Feed::new(&bench, "s_axil_w", &["data", "strb"], &mut random, w);
-        let answer = Drain::new(&bench, "s_axil_b", &["resp"], b);
-        let read_address = Feed::new(&bench, "s_axil_ar", &["addr"], &mut random, ar);
-        let read_data = Drain::new(&bench, "s_axil_r", &["data", "resp"], r);
-        let (model, has_uniforms) = (Registers::new(map), ports::uniforms(map).is_some());
+        let address = Feed::new(&bench, host.write_address, &(), &mut random, a);
+        let data = Feed::new(&bench, host.write_data, &(), &mut random, w);
+        let answer = Drain::new(&bench, host.write_answer, &(), b);
+        let read_address = Feed::new(&bench, host.read_address, &(), &mut random, ar);
+        let read_data = Drain::new(&bench, host.read_value, &(), r);
+        let (model, has_uniforms) = (Registers::new(map), UniformBits::of(map).is_some());
         let (cycles, uniforms, resets) = (0, vec![], 0);
         Self {
             bench,
@@ -111,24 +128,19 @@ impl Host {
     }
 
     /// Events, errors, and now and then the end of a run.
-    fn happens(&mut self, events: &[&str], sources: ErrorSources) {
+    fn happens(&mut self, counted: &[(String, RunCounter)], errors: &[(String, ErrorCounter, u32)]) {
         for _ in 0..self.random.u32(..EVENTFUL_CYCLES) {
-            for name in events.iter().copied().chain(["packet_taken", "packet_sent"]) {
+            for (name, counter) in counted {
                 let is_high = self.random.bool();
                 self.bench.set(name, is_high.into());
                 if is_high {
-                    let counter = match name {
-                        "packet_taken" => "packets_in",
-                        "packet_sent" => "packets_out",
-                        event => event,
-                    };
-                    self.model.event(counter);
+                    self.model.event(*counter);
                 }
             }
-            for ((name, error), count) in ERRORS.into_iter().zip(sources).filter(|(_, count)| *count > 0) {
+            for (name, error, count) in errors {
                 let errors = if self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
                 self.bench.set(name, errors);
-                (0..errors.count_ones()).for_each(|_| self.model.error(error));
+                (0..errors.count_ones()).for_each(|_| self.model.error(*error));
             }
             let finishes = self.random.u8(..60) == 0;
             self.bench.set("finished", finishes.into());
@@ -137,10 +149,9 @@ impl Host {
                 self.model.finish();
             }
         }
-        let errors = ERRORS.iter().zip(sources).filter(|(_, count)| *count > 0).map(|((name, _), _)| *name);
-        for name in events.iter().copied().chain(["packet_taken", "packet_sent", "finished"]).chain(errors) {
-            self.bench.set(name, 0);
-        }
+        let inputs = counted.iter().map(|(name, _)| name).chain(errors.iter().map(|(name, ..)| name));
+        inputs.for_each(|name| self.bench.set(name, 0));
+        self.bench.set("finished", 0);
     }
 }
 
@@ -154,14 +165,18 @@ fn address(map: &[Register], random: &mut fastrand::Rng) -> u32 {
     }
 }
 
-fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
-    let mut host = Host::new(map, sources, seed);
-    let events = ports::events(map);
-    let settings = ports::settings(map);
-    let cycles = map.iter().find(|register| register.name == "cycles").map(|register| register.address).unwrap();
+fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [u32; 4], seed: u64) {
+    let sources = ErrorSources { busy, burst, packet, memory };
+    let map = &M::registers(config);
+    let mut host = Host::new::<M>(config, sources, seed);
+    let (counted, errors) = (counted::<M>(config), errors(sources));
+    let of_kind = |kind| map.iter().find(|register| register.kind == kind).map(|register| register.address);
+    let cycles = of_kind(RegisterKind::Run(RunCounter::Cycles)).unwrap();
+    let settings: Vec<_> =
+        map.iter().filter(|register| matches!(register.kind, RegisterKind::Setting { .. } | RegisterKind::Queries)).collect();
     let (mut refused, mut runs) = (0, 0);
     for access in 0..ACCESSES {
-        host.happens(&events, sources);
+        host.happens(&counted, &errors);
         let address = address(map, &mut host.random);
         if host.random.bool() {
             let sense = [host.random.u32(..8), host.random.u32(..) & !0xfff, host.random.u32(..)];
@@ -184,8 +199,8 @@ fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
         }
         // What was accepted has shown by the time of the answer, or does so in the next cycle.
         host.step();
-        for Field { name, .. } in &settings {
-            assert_eq!(host.bench.get(name), u64::from(host.model.setting(name)), "access {access}: {name}");
+        for Register { name, address, .. } in &settings {
+            assert_eq!(host.bench.get(name), u64::from(host.model.setting(*address)), "access {access}: {name}");
         }
         assert_eq!(host.bench.get("busy"), u64::from(host.model.busy), "access {access}");
         assert_eq!(host.bench.get("irq"), u64::from(host.model.interrupt()), "access {access}");
@@ -200,7 +215,7 @@ fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
 fn accesses_do_what_the_model_does() {
     let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
     for seed in seeds(SEEDS).unwrap() {
-        exchange(&maps::splat(&splat::Config::default()), [0, 1, 1, 2], seed);
-        exchange(&maps::search(&b), [1, 2, 1, 2], seed);
+        exchange::<SplatRegisters>(&splat::Config::default(), [0, 1, 1, 2], seed);
+        exchange::<SearchRegisters>(&b, [1, 2, 1, 2], seed);
     }
 }

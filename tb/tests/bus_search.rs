@@ -1,8 +1,10 @@
 //! The search core on AXI finds what a search through all points does: tree through the window or in memory, with caches and without.
 
-use pointcore_contract::bus::{Config as Widths, Layout, packets, registers};
+use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
+use pointcore_contract::bus::units::search_axi::Ports;
+use pointcore_contract::bus::{Config as Widths, Layout, packets};
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{Bucket, Node, Points};
+use pointcore_contract::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use pointcore_hdl::bus::search;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
@@ -11,6 +13,10 @@ use crate::bus::host::{Around, Host, RESET};
 use crate::search::tree::Tree;
 use crate::search::{query, word};
 
+/// A host of the search core.
+type SearchHost = Host<CachedQuery, CachedResult>;
+
+const TOP: Ports = Ports::ALL;
 const QUERIES: u32 = 40;
 const POINTS_BASE: u32 = 0x5000;
 const TREE_BASE: u32 = 0x1000;
@@ -27,19 +33,20 @@ fn tree_words(config: &Config, tree: &Tree) -> Vec<(u64, u64)> {
     tree.writes.iter().map(word).collect()
 }
 
-fn host(config: &Config, tree: &Tree, seed: u64) -> Host {
-    let [query, result] = packets::query_and_result(config);
+fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
     let top = search::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-    let reads: &[&str] = if config.tree_cache == 0 { &["m_axi"] } else { &["m_axi", "m_axi_tree"] };
+    let has_window = config.tree_cache == 0;
+    let reads = std::iter::once(TOP.points).chain((!has_window).then_some(TOP.tree));
     let around = Around {
-        map: registers::search(config),
-        packets: [("s_axis_query", query), ("m_axis_result", result)],
-        reads,
+        map: SearchRegisters::registers(config),
+        registers: TOP.registers,
+        packets: (TOP.queries, TOP.results),
+        reads: reads.collect(),
         writes: None,
-        window: config.tree_cache == 0,
+        window: has_window.then_some(TOP.window),
         memory: MEMORY_BYTES,
     };
-    let mut host = Host::new(top.module, config.bus, around, seed);
+    let mut host = Host::new(top.module, config, config.bus, around, seed);
     let points = Layout::record::<Points>(config);
     let stride = points.stride(config.bus.memory_bits);
     for (beat, lanes) in tree.points.chunks(config.lanes as usize).enumerate() {
@@ -68,7 +75,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> Host {
 }
 
 /// A run of queries, with packets that are refused between them.
-fn run(host: &mut Host, config: &Config, tree: &Tree, random: &mut fastrand::Rng, commands: u32) -> u32 {
+fn run(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fastrand::Rng, commands: u32) -> u32 {
     host.write("queries", QUERIES);
     assert!(host.start(commands));
     host.received.clear();
@@ -110,16 +117,15 @@ fn run(host: &mut Host, config: &Config, tree: &Tree, random: &mut fastrand::Rng
 }
 
 /// Squared distances by query; of a cached answer, those to the query whose neighborhood it is are left out.
-fn results(host: &Host, count: usize) -> Vec<Vec<u64>> {
+fn results(host: &SearchHost, count: usize) -> Vec<Vec<u64>> {
     let mut found = vec![vec![]; count];
     for result in &host.received {
-        let [number, _, is_found, _, distance2] = [0, 1, 2, 3, 4].map(|field| result[field]);
-        let is_cached = result.get(5) == Some(&1);
-        if is_found == 1 && !is_cached {
-            found[number as usize].push(distance2);
+        let CachedResult { result, cached } = result;
+        if result.found && !cached {
+            found[result.number as usize].push(result.distance2.into());
         }
     }
-    let lasts = host.received.iter().filter(|result| result[1] == 1).count();
+    let lasts = host.received.iter().filter(|result| result.result.last).count();
     assert_eq!(lasts, count, "each query is closed once");
     found
 }

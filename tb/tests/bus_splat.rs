@@ -1,10 +1,12 @@
 //! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run.
 
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
-use pointcore_contract::bus::{Config as Widths, registers};
+use pointcore_contract::bus::Config as Widths;
+use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
+use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Fragment, Splat};
-use pointcore_contract::{fields, read, words};
+use pointcore_contract::words;
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::{Stall, seeds};
@@ -14,6 +16,7 @@ use crate::splat::{configs, fixed_configs, scene};
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 250;
+const TOP: Ports = Ports::ALL;
 const BUFFER_BASE: u32 = 0x3000;
 const MEMORY_BYTES: usize = 1 << 20;
 
@@ -32,21 +35,22 @@ fn expected(config: &Config, frame: &EncodedFrame) -> Vec<Fragment> {
 fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment> {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
-        map: registers::splat(config),
-        packets: [("s_axis_splat", fields::<Splat>(config)), ("m_axis_fragment", fields::<Fragment>(config))],
-        reads: &["m_axi"],
-        writes: Some("m_axi"),
-        window: false,
+        map: SplatRegisters::registers(config),
+        registers: TOP.registers,
+        packets: (TOP.splats, TOP.fragments),
+        reads: vec![TOP.reads],
+        writes: Some(TOP.writes),
+        window: None,
         memory: MEMORY_BYTES,
     };
-    let mut host = Host::new(top.module, config.bus, around, seed);
+    let mut host = Host::<Splat, Fragment>::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
     host.write("buffer_base", BUFFER_BASE);
     for (name, value) in scene::uniforms(config) {
         host.write(&name, value as u32);
     }
     let mut random = fastrand::Rng::with_seed(seed);
-    let (mut fragments, mut refused) = (vec![], 0);
+    let (mut fragments, mut refused) = (Vec::<Fragment>::new(), 0);
     for (number, splats) in frame.records.split_inclusive(|splat| splat.end).enumerate() {
         assert!(host.start(if number == 1 { RESET } else { 0 }));
         for splat in splats.iter().map(|splat| words(config, *splat)) {
@@ -58,7 +62,7 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment>
         }
         assert!(!host.start(0), "a run is under way");
         host.finish();
-        fragments.extend(host.received.iter().map(|fragment| read::<Fragment>(config, fragment)));
+        fragments.extend(&host.received);
         assert!(fragments.pop().is_some_and(|fragment| fragment.end), "a frame has an end");
         assert_eq!(host.read("packets_in"), splats.len() as u32);
         assert_eq!(host.read("packets_out"), host.received.len() as u32);

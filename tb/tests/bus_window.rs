@@ -2,26 +2,31 @@
 
 use std::collections::VecDeque;
 
+use pointcore_contract::bus::axi::{BurstAddress, ReadBeat, Slave, WriteAnswer, WriteBeat};
+use pointcore_contract::bus::config::TREE_WORD_BITS;
+use pointcore_contract::bus::units::window::Ports;
+use pointcore_contract::words;
 use pointcore_golden::bus::Window;
-use pointcore_golden::bus::window::{Address, Beat, Outcome};
+use pointcore_golden::bus::window::Outcome;
 use pointcore_hdl::bus::window;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 
 const BURSTS: usize = 400;
-const OKAY: u64 = 0;
-const SLAVE_ERROR: u64 = 2;
-const ADDRESS_FIELDS: [&str; 5] = ["id", "addr", "len", "size", "burst"];
+const OKAY: u8 = 0;
+const SLAVE_ERROR: u8 = 2;
+const HOST: Slave = Ports::ALL.host;
 
 /// Mostly what is accepted.
-fn address(index_bits: u32, random: &mut fastrand::Rng) -> Address {
+fn address(index_bits: u32, random: &mut fastrand::Rng) -> BurstAddress {
     let inside = random.u32(..1 << index_bits) * 8;
     let longest = if random.bool() { 4 } else { 32 };
     let length = random.u8(..longest);
     let length =
         if random.u8(..3) > 0 { length.min(((1 << index_bits) - 1 - inside / 8).min(255) as u8) } else { length };
-    let mut chosen = Address { address: inside | random.u32(..) << (index_bits + 3), length, size: 3, burst: 1 };
+    let id = random.u8(..16);
+    let mut chosen = BurstAddress { id, address: inside | random.u32(..) << (index_bits + 3), length, size: 3, burst: 1 };
     match random.u8(..12) {
         0 => chosen.address |= random.u32(1..8),
         1 => chosen.size = random.u8(..3),
@@ -31,22 +36,18 @@ fn address(index_bits: u32, random: &mut fastrand::Rng) -> Address {
     chosen
 }
 
-fn beats(length: u8, random: &mut fastrand::Rng) -> Vec<Beat> {
+fn beats(length: u8, random: &mut fastrand::Rng) -> Vec<WriteBeat> {
     let is_sound = random.u8(..5) > 0;
     let beat = |place: u8, random: &mut fastrand::Rng| {
-        let mut beat = Beat { data: random.u64(..), strobes: u8::MAX, last: place == length };
+        let mut beat: WriteBeat = WriteBeat { data: random.u64(..), strobes: 0xff, last: place == length };
         match random.u8(..6) {
-            0 if !is_sound => beat.strobes = random.u8(..u8::MAX),
+            0 if !is_sound => beat.strobes = random.u64(..0xff),
             1 if !is_sound => beat.last = !beat.last,
             _ => {}
         }
         beat
     };
     (0..=length).map(|place| beat(place, random)).collect()
-}
-
-fn fields(id: u64, address: Address) -> Vec<u64> {
-    vec![id, address.address.into(), address.length.into(), address.size.into(), address.burst.into()]
 }
 
 #[test]
@@ -60,9 +61,8 @@ fn what_is_accepted_is_written_and_all_is_answered() {
 
 /// A burst on its way, and its answer.
 struct Burst {
-    id: u64,
-    address: Address,
-    beats: Vec<Beat>,
+    address: BurstAddress,
+    beats: Vec<WriteBeat>,
 }
 
 fn exchange(index_bits: u32, seed: u64) {
@@ -70,22 +70,23 @@ fn exchange(index_bits: u32, seed: u64) {
     let mut bench = Bench::new(window::module(index_bits), seed);
     let patterns: Vec<Stalls> = (0..5).map(|_| stalls(&mut random)).collect();
     let [a, w, b, ar, r] = <[Stalls; 5]>::try_from(patterns).unwrap();
-    let mut address_feed = Feed::new(&bench, "s_axi_aw", &ADDRESS_FIELDS, &mut random, a);
-    let mut data = Feed::new(&bench, "s_axi_w", &["data", "strb", "last"], &mut random, w);
-    let mut answer = Drain::new(&bench, "s_axi_b", &["id", "resp"], b);
-    let mut read_address = Feed::new(&bench, "s_axi_ar", &ADDRESS_FIELDS, &mut random, ar);
-    let mut read_data = Drain::new(&bench, "s_axi_r", &["id", "data", "resp", "last"], r);
+    let mut address_feed = Feed::new(&bench, HOST.write_address, &(), &mut random, a);
+    let mut data = Feed::new(&bench, HOST.write_data, &TREE_WORD_BITS, &mut random, w);
+    let mut answer = Drain::new(&bench, HOST.write_answer, &(), b);
+    let mut read_address = Feed::new(&bench, HOST.read_address, &(), &mut random, ar);
+    let mut read_data = Drain::new(&bench, HOST.read_data, &TREE_WORD_BITS, r);
 
     let model = Window::new(index_bits);
     let (mut bursts, mut reads) = (VecDeque::new(), VecDeque::new());
     for _ in 0..BURSTS {
-        let (id, to, from) = (random.u64(..16), address(index_bits, &mut random), address(index_bits, &mut random));
+        let [to, from] = [(); 2].map(|()| address(index_bits, &mut random));
         let beats = beats(to.length, &mut random);
-        address_feed.items.push_back(fields(id, to));
-        data.items.extend(beats.iter().map(|beat| vec![beat.data, beat.strobes.into(), beat.last.into()]));
-        bursts.push_back(Burst { id, address: to, beats });
-        read_address.items.push_back(fields(id, from));
-        reads.extend((0..=from.length).map(|place| [id, 0, SLAVE_ERROR, u64::from(place == from.length)]));
+        address_feed.items.push_back(words(&(), to));
+        data.items.extend(beats.iter().map(|beat| words(&TREE_WORD_BITS, *beat)));
+        bursts.push_back(Burst { address: to, beats });
+        read_address.items.push_back(words(&(), from));
+        let beat = |place| ReadBeat { id: from.id, data: 0, response: SLAVE_ERROR, last: place == from.length };
+        reads.extend((0..=from.length).map(beat));
     }
     let (mut written, mut expected_writes) = (vec![], vec![]);
     let mut answers = VecDeque::new();
@@ -102,11 +103,12 @@ fn exchange(index_bits: u32, seed: u64) {
         assert_eq!(bench.get("occupied"), u64::from(judged || left > 0), "cycle {}", bench.cycle);
         if judged {
             // The lock counts in the cycle after the address was taken.
-            let Burst { id, address, beats } = bursts.pop_front().unwrap();
+            let Burst { address, beats } = bursts.pop_front().unwrap();
             left = beats.len();
             let (writes, outcome) = model.write(address, &beats, is_locked);
             expected_writes.extend(writes);
-            answers.push_back(vec![id, if outcome == Outcome::Okay { OKAY } else { SLAVE_ERROR }]);
+            let response = if outcome == Outcome::Okay { OKAY } else { SLAVE_ERROR };
+            answers.push_back(words(&(), WriteAnswer { id: address.id, response }));
             due[0] += u64::from(outcome == Outcome::RefusedBurst);
             due[1] += u64::from(outcome == Outcome::RefusedBusy);
             okay += u32::from(outcome == Outcome::Okay);
@@ -128,7 +130,7 @@ fn exchange(index_bits: u32, seed: u64) {
             answered += 1;
         }
         if let Some(item) = read_data.taken(&bench) {
-            assert_eq!(Some(item), reads.pop_front().map(Vec::from), "cycle {}", bench.cycle);
+            assert_eq!(Some(item), reads.pop_front().map(|beat| words(&TREE_WORD_BITS, beat)), "cycle {}", bench.cycle);
         }
     }
     for _ in 0..3 {
@@ -148,9 +150,9 @@ fn a_burst_takes_a_word_in_every_cycle() {
     let mut random = fastrand::Rng::with_seed(1);
     let mut bench = Bench::new(window::module(10), 1);
     let never = || Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
-    let mut address = Feed::new(&bench, "s_axi_aw", &ADDRESS_FIELDS, &mut random, never());
-    let mut data = Feed::new(&bench, "s_axi_w", &["data", "strb", "last"], &mut random, never());
-    let mut answer = Drain::new(&bench, "s_axi_b", &["id", "resp"], never());
+    let mut address = Feed::new(&bench, HOST.write_address, &(), &mut random, never());
+    let mut data = Feed::new(&bench, HOST.write_data, &TREE_WORD_BITS, &mut random, never());
+    let mut answer = Drain::new(&bench, HOST.write_answer, &(), never());
     address.items.push_back(vec![3, 0, 255, 3, 1]);
     data.items.extend((0..256).map(|word| vec![word, 0xff, u64::from(word == 255)]));
     let mut is_answered = false;

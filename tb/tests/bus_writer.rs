@@ -2,48 +2,53 @@
 
 use std::collections::VecDeque;
 
-use pointcore_contract::{Field, fields, splat};
+use pointcore_contract::bus::axi::BurstAddress;
+use pointcore_contract::bus::units::Addressed;
+use pointcore_contract::bus::units::writer::Ports;
+use pointcore_contract::splat::records::Pixel;
+use pointcore_contract::{read, splat, words};
 use pointcore_golden::bus::{Burst, Writer};
 use pointcore_hdl::bus::writer;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
+use crate::splat::scene;
 use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls};
 
 const RECORDS: u32 = 200;
 const WRITES_MAX: u32 = 16;
 /// `INCR`.
-const INCREMENTING: u64 = 1;
+const INCREMENTING: u8 = 1;
 const SLAVE_ERROR: u64 = 2;
 
-fn pixel() -> Vec<Field> {
-    fields::<splat::records::Pixel>(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() })
+fn pixels() -> splat::Config {
+    splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() }
 }
 
 /// Writes records; returns cycles and beats.
 fn exchange(
-    fields: &[Field],
+    config: &splat::Config,
     memory_bits: u32,
     seed: u64,
     mut pattern: impl FnMut(&mut fastrand::Rng) -> Stalls,
 ) -> (u64, u64) {
     let mut random = fastrand::Rng::with_seed(seed);
-    let mut bench = Bench::new(writer::module(fields, memory_bits), seed);
-    let names: Vec<&str> = ["address"].into_iter().chain(fields.iter().map(|field| field.name.as_str())).collect();
+    let mut bench = Bench::new(writer::module::<Pixel>(config, memory_bits), seed);
+    let ports = Ports::<Pixel>::ALL;
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [source, addresses, data, answers] = <[Stalls; 4]>::try_from(patterns).unwrap();
-    let mut input = Feed::new(&bench, "in_", &names, &mut random, source);
-    let mut address = Drain::new(&bench, "m_axi_aw", &["id", "addr", "len", "size", "burst"], addresses);
-    let mut data = Drain::new(&bench, "m_axi_w", &["data", "strb", "last"], data);
-    let mut answer = Feed::new(&bench, "m_axi_b", &["id", "resp"], &mut random, answers);
+    let mut input = Feed::new(&bench, ports.input, config, &mut random, source);
+    let mut address = Drain::new(&bench, ports.memory.address, &(), addresses);
+    let mut data = Drain::new(&bench, ports.memory.data, &memory_bits, data);
+    let mut answer = Feed::new(&bench, ports.memory.answer, &(), &mut random, answers);
 
-    let model = Writer::new(fields, memory_bits);
+    let model = Writer::new(config, memory_bits);
     let beat_bytes = memory_bits as usize / 8;
     let (mut bursts, mut beats) = (VecDeque::new(), VecDeque::new());
     for _ in 0..RECORDS {
-        let record: Vec<u64> = fields.iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
+        let record: Pixel = scene::noise(config, &mut random);
         let base = random.u32(..1 << 20) * 64;
-        let (burst, packet) = model.burst(base, &record);
-        input.items.push_back([base.into()].into_iter().chain(record).collect());
+        let (burst, packet) = model.burst(base, record);
+        input.items.push_back(words(config, Addressed { address: base, record }));
         let count = packet.len() / beat_bytes;
         beats.extend(packet.chunks(beat_bytes).enumerate().map(|(place, beat)| (beat.to_vec(), place + 1 == count)));
         bursts.push_back(burst);
@@ -66,8 +71,9 @@ fn exchange(
         assert!(accepted - answered <= WRITES_MAX);
         if let Some(burst) = address.taken(&bench) {
             let Burst { address: first, beats } = bursts.pop_front().unwrap();
-            let size = u64::from(beat_bytes.ilog2());
-            assert_eq!(burst, [0, first.into(), u64::from(beats) - 1, size, INCREMENTING], "cycle {}", bench.cycle);
+            let (length, size) = ((beats - 1) as u8, beat_bytes.ilog2() as u8);
+            let expected = BurstAddress { id: 0, address: first, length, size, burst: INCREMENTING };
+            assert_eq!(read::<BurstAddress>(&(), &burst), expected, "cycle {}", bench.cycle);
             addressed += 1;
         }
         if let Some(item) = data.taken(&bench) {
@@ -96,7 +102,7 @@ fn exchange(
 fn every_record_is_a_burst() {
     for seed in seeds(SEEDS).unwrap() {
         for memory_bits in [32, 64, 512] {
-            exchange(&pixel(), memory_bits, seed, stalls);
+            exchange(&pixels(), memory_bits, seed, stalls);
         }
     }
 }
@@ -105,7 +111,7 @@ fn every_record_is_a_burst() {
 fn it_sends_a_beat_in_every_cycle() {
     let never = |_: &mut fastrand::Rng| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
     for memory_bits in [32, 64, 512] {
-        let (cycles, beats) = exchange(&pixel(), memory_bits, 1, never);
+        let (cycles, beats) = exchange(&pixels(), memory_bits, 1, never);
         assert!(cycles <= beats + 8, "{cycles} cycles for {beats} beats");
     }
 }

@@ -1,5 +1,7 @@
 //! What stands in the attributes of structs and fields.
 
+use proc_macro2::TokenStream;
+use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::{Attribute, Expr, Field, Ident, LitStr, Meta, Result, Token, Type};
 
@@ -41,6 +43,7 @@ pub struct Annotations {
     pub when: Option<Expr>,
     pub port: Option<LitStr>,
     pub flag: Option<LitStr>,
+    pub with: Option<Expr>,
 }
 
 impl Annotations {
@@ -59,11 +62,22 @@ impl Annotations {
                 "name" => found.name = Some(attribute.parse_args()?),
                 "when" => found.when = Some(attribute.parse_args()?),
                 "port" => found.port = Some(attribute.parse_args()?),
+                "with" => found.with = Some(attribute.parse_args()?),
                 "flag" => found.flag = Some(attribute.parse_args()?),
-                _ => return Err(syn::Error::new(name.span(), "expected doc, bits, count, name, when, port or flag")),
+                _ => {
+                    return Err(syn::Error::new(
+                        name.span(),
+                        "expected doc, bits, count, name, when, port, flag or with",
+                    ));
+                }
             }
         }
         Ok(found)
+    }
+
+    /// What a port's record depends on, as a reference: the unit's `config` unless something else is said.
+    pub fn config(&self) -> TokenStream {
+        self.with.as_ref().map_or(quote!(config), |with| quote!(#with))
     }
 
     /// The doc comment as one line.

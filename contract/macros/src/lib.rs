@@ -1,10 +1,11 @@
-//! `#[record]` and `#[unit]`: what travels and what a unit's ports are, written once as a Rust struct.
+//! `#[record]`, `#[unit]` and `#[ports]`: what travels and what a unit's ports are, written once as a Rust struct.
 //!
 //! [`macro@record`] makes of a struct of plain fields one whose fields are words in a model and expressions in hardware, and says
 //! their names, widths and meaning. [`macro@unit`] makes of a struct of ports what a model sees and shows in a cycle, and the
 //! description that hardware, tests and documents take ports from.
 
 mod annotation;
+mod ports;
 mod record;
 mod unit;
 
@@ -25,6 +26,18 @@ pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let arguments = parse_macro_input!(arguments as annotation::RecordArguments);
     let item = parse_macro_input!(item as ItemStruct);
     record::expand(&arguments, &item).unwrap_or_else(|error| error.into_compile_error()).into()
+}
+
+/// The ports of a unit whose model does not meet them word by word: `#[ports(unit: Packets<'_, R>)]` names what they depend on.
+///
+/// As [`macro@unit`], but the struct may have parameters, a field may be a bus, and what its record depends on may be told by
+/// `#[with(…)]`, a reference. Makes a module of the struct's name in small letters: `Ports`, of which `Ports::ALL` are the ports, and
+/// `interface`.
+#[proc_macro_attribute]
+pub fn ports(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let arguments = parse_macro_input!(arguments as annotation::RecordArguments);
+    let item = parse_macro_input!(item as ItemStruct);
+    ports::expand(&arguments, &item).unwrap_or_else(|error| error.into_compile_error()).into()
 }
 
 /// A unit's ports: `#[unit(search_sieve, config: Config)]` names its Verilog module and what its ports depend on.

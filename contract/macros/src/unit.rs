@@ -9,7 +9,7 @@ use crate::record::word;
 
 /// What a unit's field says of its ports.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(crate) enum Kind {
     In,
     Out,
     PulseIn,
@@ -19,7 +19,7 @@ enum Kind {
 }
 
 impl Kind {
-    fn of(name: &Ident) -> Result<Self> {
+    pub fn of(name: &Ident) -> Result<Self> {
         Ok(match name.to_string().as_str() {
             "In" => Self::In,
             "Out" => Self::Out,
@@ -46,7 +46,7 @@ impl Kind {
     }
 }
 
-struct Port<'a> {
+pub(crate) struct Port<'a> {
     field: &'a Ident,
     name: LitStr,
     kind: Kind,
@@ -56,7 +56,8 @@ struct Port<'a> {
 }
 
 impl<'a> Port<'a> {
-    fn of(field: &'a Field) -> Result<Self> {
+    /// What a field of a unit says.
+    pub fn of(field: &'a Field) -> Result<Self> {
         let Some(ident) = &field.ident else { return Err(Error::new_spanned(field, "a unit's ports have names")) };
         let expected = || Error::new_spanned(&field.ty, "expected a kind of port with its record: In<R>");
         let Type::Path(path) = &field.ty else { return Err(expected()) };
@@ -113,7 +114,7 @@ impl<'a> Port<'a> {
     }
 
     /// What stands in its place in the description for hardware.
-    fn descriptor(&self) -> (TokenStream, TokenStream) {
+    pub fn descriptor(&self) -> (TokenStream, TokenStream) {
         let (field, kind, record, name) = (self.field, self.kind_name, self.record, &self.name);
         let docs = &self.annotations.documentation;
         let (doc, flag) = (self.annotations.text(), self.flag());
@@ -127,7 +128,9 @@ impl<'a> Port<'a> {
         self.annotations.flag.clone().unwrap_or_else(|| LitStr::new("valid", self.field.span()))
     }
 
-    fn describe(&self) -> Result<TokenStream> {
+    /// Its group in lists.
+    pub fn describe(&self) -> Result<TokenStream> {
+        let config = self.annotations.config();
         let (name, doc, flag, kind, record) =
             (&self.name, self.annotations.text(), self.flag(), self.kind_name, self.record);
         let fields = match (word(record), &self.annotations.bits) {
@@ -140,11 +143,12 @@ impl<'a> Port<'a> {
                     ::std::vec![::pointcore_contract::Field { name: ::std::string::String::new(), width: #bits, doc: #doc }]
                 )
             }
-            (None, _) => quote!(::pointcore_contract::fields::<#record>(config)),
+            (None, _) => quote!(::pointcore_contract::fields::<#record>(#config)),
         };
         Ok(self.only_when(&quote! {
             groups.push(::pointcore_contract::unit::Group {
                 name: #name,
+                channel: ::std::option::Option::None,
                 doc: #doc,
                 flag: #flag,
                 record: ::std::stringify!(#record),
@@ -245,7 +249,7 @@ pub fn expand(arguments: &UnitArguments, item: &ItemStruct) -> Result<TokenStrea
 }
 
 /// `PointCache` as a module is called.
-fn snake(name: &str) -> String {
+pub(crate) fn snake(name: &str) -> String {
     let mut snake = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !snake.is_empty() {

@@ -1,107 +1,235 @@
-//! The AMBA buses at the ports of units and tops.
+//! The AMBA buses at the ports of units and tops: what their channels carry, and which channels a bus has.
+//!
+//! Channels are called as AXI calls them: `m_axi_arvalid`, `m_axi_arready`, `m_axi_araddr`. Beats of memory may be wider than a word:
+//! models know them as bytes.
 
+use super::channel::{ChannelIn, ChannelOut};
 use super::config::{ADDRESS_BITS, BURST_BEATS_MAX, ID_BITS, REGISTER_ADDRESS_BITS, REGISTER_BITS};
-use super::list::Ports;
-use crate::Port;
+use crate::record;
 use crate::splat::config::index_bits;
+use crate::unit::Group;
 
-const LENGTH_BITS: u32 = index_bits(BURST_BEATS_MAX);
+/// Bits of a burst's length, which is one less than its beats.
+pub const LENGTH_BITS: u32 = index_bits(BURST_BEATS_MAX);
 const SIZE_BITS: u32 = 3;
 const BURST_BITS: u32 = 2;
 const RESPONSE_BITS: u32 = 2;
-const REGISTER_BYTES: u32 = REGISTER_BITS / 8;
 
-/// One side of a bus, with the bits of a beat.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bus {
-    /// AXI4-Lite to the registers.
-    Registers,
-    /// An AXI4-Stream of packets into the unit.
-    StreamIn(u32),
-    /// An AXI4-Stream of packets out of the unit.
-    StreamOut(u32),
-    /// AXI4, reading.
-    ReadMaster(u32),
-    /// AXI4, writing.
-    WriteMaster(u32),
-    /// AXI4, written and read by others.
-    Slave(u32),
+/// What an address channel says of a burst.
+#[record(config: ())]
+pub struct BurstAddress {
+    /// The burst's identifier, which its answers bear.
+    #[bits(ID_BITS)]
+    pub id: u8,
+    /// Its first byte.
+    #[name("addr")]
+    #[bits(ADDRESS_BITS)]
+    pub address: u32,
+    /// One less than its beats.
+    #[name("len")]
+    #[bits(LENGTH_BITS)]
+    pub length: u8,
+    /// The binary logarithm of a beat's bytes.
+    #[bits(SIZE_BITS)]
+    pub size: u8,
+    /// How the address goes on: up, where it is 1.
+    #[bits(BURST_BITS)]
+    pub burst: u8,
 }
 
-impl Bus {
-    /// The ports in order, called `<prefix>_…`.
-    #[must_use]
-    pub fn ports(self, prefix: &str) -> Vec<Port> {
-        let ports = Ports::default();
-        match self {
-            Self::Registers => lite_slave(ports, prefix),
-            Self::StreamIn(bits) => stream_in(ports, prefix, bits),
-            Self::StreamOut(bits) => stream_out(ports, prefix, bits),
-            Self::ReadMaster(bits) => read_master(ports, prefix, bits),
-            Self::WriteMaster(bits) => write_master(ports, prefix, bits),
-            Self::Slave(bits) => slave(ports, prefix, bits),
+/// A beat that is written.
+#[record(beat_bits: u32)]
+pub struct WriteBeat {
+    /// Its bytes.
+    #[bits(*beat_bits)]
+    pub data: u64,
+    /// A bit for each byte that is to be written.
+    #[name("strb")]
+    #[bits(*beat_bits / 8)]
+    pub strobes: u64,
+    /// Closes its burst.
+    pub last: bool,
+}
+
+/// The answer to a burst that is written.
+#[record(config: ())]
+pub struct WriteAnswer {
+    /// The burst's identifier.
+    #[bits(ID_BITS)]
+    pub id: u8,
+    /// Whether all is well: 0 if so.
+    #[name("resp")]
+    #[bits(RESPONSE_BITS)]
+    pub response: u8,
+}
+
+/// A beat that is read.
+#[record(beat_bits: u32)]
+pub struct ReadBeat {
+    /// The burst's identifier.
+    #[bits(ID_BITS)]
+    pub id: u8,
+    /// Its bytes.
+    #[bits(*beat_bits)]
+    pub data: u64,
+    /// Whether all is well: 0 if so.
+    #[name("resp")]
+    #[bits(RESPONSE_BITS)]
+    pub response: u8,
+    /// Closes its burst.
+    pub last: bool,
+}
+
+/// A register's address.
+#[record(config: ())]
+pub struct RegisterAddress {
+    /// Its first byte.
+    #[name("addr")]
+    #[bits(REGISTER_ADDRESS_BITS)]
+    pub address: u16,
+}
+
+/// What is written to a register.
+#[record(config: ())]
+pub struct RegisterData {
+    /// The value.
+    #[bits(REGISTER_BITS)]
+    pub data: u32,
+    /// A bit for each byte that is to be written.
+    #[name("strb")]
+    #[bits(REGISTER_BITS / 8)]
+    pub strobes: u8,
+}
+
+/// The answer to a write to a register.
+#[record(config: ())]
+pub struct RegisterAnswer {
+    /// Whether all is well: 0 if so.
+    #[name("resp")]
+    #[bits(RESPONSE_BITS)]
+    pub response: u8,
+}
+
+/// What is read from a register.
+#[record(config: ())]
+pub struct RegisterValue {
+    /// The value.
+    #[bits(REGISTER_BITS)]
+    pub data: u32,
+    /// Whether all is well: 0 if so.
+    #[name("resp")]
+    #[bits(RESPONSE_BITS)]
+    pub response: u8,
+}
+
+/// A beat of a packet.
+#[record(beat_bits: u32)]
+pub struct PacketBeat {
+    /// Its bytes.
+    #[bits(*beat_bits)]
+    pub data: u64,
+    /// Closes its packet.
+    pub last: bool,
+}
+
+/// Channels that belong together, at one side.
+pub trait Bus: Copy {
+    /// What their widths depend on.
+    type Config;
+
+    /// The channels in order.
+    fn groups(&self, config: &Self::Config) -> Vec<Group>;
+}
+
+macro_rules! buses {
+    ($(
+        $(#[doc = $about:literal])*
+        $bus:ident, $config:ident: $ty:ty {
+            $($(#[doc = $doc:literal])* $field:ident: $kind:ident<$record:ty> = $channel:literal, $with:expr;)*
         }
-        .list()
+    )*) => {
+        $(
+            $(#[doc = $about])*
+            #[derive(Clone, Copy, Debug)]
+            pub struct $bus {
+                $($(#[doc = $doc])* pub $field: $kind<$record>,)*
+            }
+
+            impl $bus {
+                /// The bus whose ports are called `<name>_…`.
+                #[must_use]
+                pub const fn on(name: &'static str) -> Self {
+                    Self { $($field: $kind::new(name, $channel, concat!($($doc),*)),)* }
+                }
+            }
+
+            impl Bus for $bus {
+                type Config = $ty;
+
+                fn groups(&self, $config: &$ty) -> Vec<Group> {
+                    vec![$(self.$field.group($with)),*]
+                }
+            }
+        )*
+    };
+}
+
+buses! {
+    /// AXI4-Lite to the registers.
+    RegisterBus, config: () {
+        /// Registers to be written.
+        write_address: ChannelIn<RegisterAddress> = "aw", config;
+        /// What is written to them.
+        write_data: ChannelIn<RegisterData> = "w", config;
+        /// Answers to writes.
+        write_answer: ChannelOut<RegisterAnswer> = "b", config;
+        /// Registers to be read.
+        read_address: ChannelIn<RegisterAddress> = "ar", config;
+        /// What is read from them.
+        read_value: ChannelOut<RegisterValue> = "r", config;
     }
-}
 
-fn stream_in(ports: Ports, prefix: &str, bits: u32) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    ports.input(name("tvalid"), 1).output(name("tready"), 1).input(name("tdata"), bits).input(name("tlast"), 1)
-}
+    /// An AXI4-Stream of packets into the unit.
+    PacketBusIn, beat_bits: u32 {
+        /// Beats of packets.
+        beats: ChannelIn<PacketBeat> = "t", beat_bits;
+    }
 
-fn stream_out(ports: Ports, prefix: &str, bits: u32) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    ports.output(name("tvalid"), 1).input(name("tready"), 1).output(name("tdata"), bits).output(name("tlast"), 1)
-}
+    /// An AXI4-Stream of packets out of the unit.
+    PacketBusOut, beat_bits: u32 {
+        /// Beats of packets.
+        beats: ChannelOut<PacketBeat> = "t", beat_bits;
+    }
 
-fn lite_slave(ports: Ports, prefix: &str) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    let ports = ports.input(name("awvalid"), 1).output(name("awready"), 1).input(name("awaddr"), REGISTER_ADDRESS_BITS);
-    let ports = ports.input(name("wvalid"), 1).output(name("wready"), 1).input(name("wdata"), REGISTER_BITS);
-    let ports = ports.input(name("wstrb"), REGISTER_BYTES);
-    let ports = ports.output(name("bvalid"), 1).input(name("bready"), 1).output(name("bresp"), RESPONSE_BITS);
-    let ports = ports.input(name("arvalid"), 1).output(name("arready"), 1).input(name("araddr"), REGISTER_ADDRESS_BITS);
-    let ports = ports.output(name("rvalid"), 1).input(name("rready"), 1).output(name("rdata"), REGISTER_BITS);
-    ports.output(name("rresp"), RESPONSE_BITS)
-}
+    /// AXI4, reading.
+    ReadMaster, beat_bits: u32 {
+        /// Bursts wanted.
+        address: ChannelOut<BurstAddress> = "ar", &();
+        /// Their beats.
+        data: ChannelIn<ReadBeat> = "r", beat_bits;
+    }
 
-/// The fields of an address channel, but for its identifier.
-const ADDRESS_FIELDS: [(&str, u32); 4] =
-    [("addr", ADDRESS_BITS), ("len", LENGTH_BITS), ("size", SIZE_BITS), ("burst", BURST_BITS)];
+    /// AXI4, writing.
+    WriteMaster, beat_bits: u32 {
+        /// Bursts to be written.
+        address: ChannelOut<BurstAddress> = "aw", &();
+        /// Their beats.
+        data: ChannelOut<WriteBeat> = "w", beat_bits;
+        /// Answers to bursts.
+        answer: ChannelIn<WriteAnswer> = "b", &();
+    }
 
-fn read_master(ports: Ports, prefix: &str, bits: u32) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    let ports = ports.output(name("arvalid"), 1).input(name("arready"), 1).output(name("arid"), ID_BITS);
-    let address = |ports: Ports, (field, width): (&str, u32)| ports.output(name(&format!("ar{field}")), width);
-    let ports = ADDRESS_FIELDS.into_iter().fold(ports, address);
-    let ports = ports.input(name("rvalid"), 1).output(name("rready"), 1).input(name("rid"), ID_BITS);
-    ports.input(name("rdata"), bits).input(name("rresp"), RESPONSE_BITS).input(name("rlast"), 1)
-}
-
-fn write_master(ports: Ports, prefix: &str, bits: u32) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    let ports = ports.output(name("awvalid"), 1).input(name("awready"), 1).output(name("awid"), ID_BITS);
-    let address = |ports: Ports, (field, width): (&str, u32)| ports.output(name(&format!("aw{field}")), width);
-    let ports = ADDRESS_FIELDS.into_iter().fold(ports, address);
-    let ports = ports.output(name("wvalid"), 1).input(name("wready"), 1).output(name("wdata"), bits);
-    let ports = ports.output(name("wstrb"), bits / 8).output(name("wlast"), 1);
-    let ports = ports.input(name("bvalid"), 1).output(name("bready"), 1).input(name("bid"), ID_BITS);
-    ports.input(name("bresp"), RESPONSE_BITS)
-}
-
-fn slave(ports: Ports, prefix: &str, bits: u32) -> Ports {
-    let name = |name: &str| format!("{prefix}_{name}");
-    let ports = ports.input(name("awvalid"), 1).output(name("awready"), 1).input(name("awid"), ID_BITS);
-    let write = |ports: Ports, (field, width): (&str, u32)| ports.input(name(&format!("aw{field}")), width);
-    let ports = ADDRESS_FIELDS.into_iter().fold(ports, write);
-    let ports = ports.input(name("wvalid"), 1).output(name("wready"), 1).input(name("wdata"), bits);
-    let ports = ports.input(name("wstrb"), bits / 8).input(name("wlast"), 1);
-    let ports = ports.output(name("bvalid"), 1).input(name("bready"), 1).output(name("bid"), ID_BITS);
-    let ports = ports.output(name("bresp"), RESPONSE_BITS);
-    let ports = ports.input(name("arvalid"), 1).output(name("arready"), 1).input(name("arid"), ID_BITS);
-    let read = |ports: Ports, (field, width): (&str, u32)| ports.input(name(&format!("ar{field}")), width);
-    let ports = ADDRESS_FIELDS.into_iter().fold(ports, read);
-    let ports = ports.output(name("rvalid"), 1).input(name("rready"), 1).output(name("rid"), ID_BITS);
-    ports.output(name("rdata"), bits).output(name("rresp"), RESPONSE_BITS).output(name("rlast"), 1)
+    /// AXI4, written and read by others.
+    Slave, beat_bits: u32 {
+        /// Bursts to be written.
+        write_address: ChannelIn<BurstAddress> = "aw", &();
+        /// Their beats.
+        write_data: ChannelIn<WriteBeat> = "w", beat_bits;
+        /// Answers to bursts.
+        write_answer: ChannelOut<WriteAnswer> = "b", &();
+        /// Bursts wanted.
+        read_address: ChannelIn<BurstAddress> = "ar", &();
+        /// Their beats.
+        read_data: ChannelOut<ReadBeat> = "r", beat_bits;
+    }
 }

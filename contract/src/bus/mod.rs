@@ -1,14 +1,15 @@
 //! How the cores meet a bus (`docs/interfaces.md`): widths, byte layouts, register maps, ports of units and tops.
 
-mod axi;
+pub mod axi;
+mod channel;
 pub mod config;
 pub mod layout;
-mod list;
 pub mod packets;
-pub mod ports;
 pub mod registers;
+pub mod units;
 
 pub use axi::Bus;
+pub use channel::{ChannelIn, ChannelOut, VALID};
 pub use config::{Config, ConfigError};
 pub use layout::{Layout, Place};
-pub use registers::{Access, Kind, Register, When};
+pub use registers::{Access, Register, RegisterKind, When};

@@ -5,11 +5,58 @@ use crate::search;
 use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use crate::splat;
 use crate::splat::records::{Fragment, Pixel, Splat};
-use crate::{Field, fields};
+use crate::{Field, Record, fields, places};
+
+/// A record that travels as a packet.
+pub trait Packet: Record {
+    /// The flag that is set in a run's last packet, where packets have one.
+    #[must_use]
+    fn end(_config: &Self::Config) -> Option<usize> {
+        None
+    }
+
+    /// The field that not all values make sense of, if there is one.
+    #[must_use]
+    fn range(_config: &Self::Config) -> Option<FieldRange> {
+        None
+    }
+}
+
+/// The values that a field of a packet may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FieldRange {
+    /// The field's place in its record.
+    pub field: usize,
+    /// Its smallest value.
+    pub low: u32,
+    /// Its largest value.
+    pub high: u32,
+}
+
+impl Packet for Splat {
+    fn end(config: &splat::Config) -> Option<usize> {
+        places::<Self>(config).end
+    }
+}
+
+impl Packet for Fragment {
+    fn end(config: &splat::Config) -> Option<usize> {
+        places::<Self>(config).end
+    }
+}
+
+impl Packet for CachedQuery {
+    fn range(config: &search::Config) -> Option<FieldRange> {
+        let field = places::<Self>(config).query.k;
+        field.map(|field| FieldRange { field, low: 1, high: config.neighbors })
+    }
+}
+
+impl Packet for CachedResult {}
 
 /// A record with a name and a purpose, for documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Packet {
+pub struct NamedRecord {
     /// What it is called.
     pub name: &'static str,
     /// One line.
@@ -20,36 +67,19 @@ pub struct Packet {
     pub bytes: u32,
 }
 
-/// The values that a field of a packet may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FieldRange {
-    /// The field.
-    pub name: &'static str,
-    /// Its smallest value.
-    pub low: u32,
-    /// Its largest value.
-    pub high: u32,
-}
-
-/// The range of a query's `k`.
-#[must_use]
-pub const fn query_range(config: &search::Config) -> FieldRange {
-    FieldRange { name: "k", low: 1, high: config.neighbors }
-}
-
-fn packet(name: &'static str, doc: &'static str, fields: Vec<Field>, stream_bits: u32) -> Packet {
+fn packet(name: &'static str, doc: &'static str, fields: Vec<Field>, stream_bits: u32) -> NamedRecord {
     let bytes = Layout::of(&fields).packet_bytes(stream_bits);
-    Packet { name, doc, fields, bytes }
+    NamedRecord { name, doc, fields, bytes }
 }
 
-fn memory(name: &'static str, doc: &'static str, fields: Vec<Field>, memory_bits: u32) -> Packet {
+fn memory(name: &'static str, doc: &'static str, fields: Vec<Field>, memory_bits: u32) -> NamedRecord {
     let bytes = Layout::of(&fields).stride(memory_bits);
-    Packet { name, doc, fields, bytes }
+    NamedRecord { name, doc, fields, bytes }
 }
 
 /// Packets and memory records of the renderer.
 #[must_use]
-pub fn splat(config: &splat::Config) -> Vec<Packet> {
+pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
     let bus = &config.bus;
     vec![
         packet(
@@ -73,34 +103,28 @@ pub fn splat(config: &splat::Config) -> Vec<Packet> {
     ]
 }
 
-/// The query and the result of a search core, with or without a neighbor cache.
-#[must_use]
-pub fn query_and_result(config: &search::Config) -> [Vec<Field>; 2] {
-    [fields::<CachedQuery>(config), fields::<CachedResult>(config)]
-}
-
-/// The points of a beat of the search core: `x0`, `y0`, `z0`, `x1` …
-#[must_use]
-pub fn points(config: &search::Config) -> Vec<Field> {
-    fields::<Points>(config)
-}
-
 /// Packets and memory records of the search core.
 #[must_use]
-pub fn search(config: &search::Config) -> Vec<Packet> {
+pub fn search(config: &search::Config) -> Vec<NamedRecord> {
     let bus = &config.bus;
-    let [query, result] = query_and_result(config);
     let tree_bits = if config.tree_cache == 0 { super::config::TREE_WORD_BITS } else { bus.memory_bits };
     // Both kinds of record of a tree lie one beside the other.
-    let tree =
-        |name, doc, fields| Packet { bytes: tree_stride(config, tree_bits), ..memory(name, doc, fields, tree_bits) };
+    let tree = |name, doc, fields| NamedRecord {
+        bytes: tree_stride(config, tree_bits),
+        ..memory(name, doc, fields, tree_bits)
+    };
     vec![
-        packet("query", "A point whose neighbors are sought.", query, bus.stream_bits),
-        packet("result", "A neighbor, nearest first; `last` closes its query.", result, bus.stream_bits),
+        packet("query", "A point whose neighbors are sought.", fields::<CachedQuery>(config), bus.stream_bits),
+        packet(
+            "result",
+            "A neighbor, nearest first; `last` closes its query.",
+            fields::<CachedResult>(config),
+            bus.stream_bits,
+        ),
         memory(
             "points",
             "As many points as the core has lanes; a lane without a point holds NaN.",
-            points(config),
+            fields::<Points>(config),
             bus.memory_bits,
         ),
         tree("tree_node", "An internal node of the tree.", fields::<Node>(config)),

@@ -1,9 +1,13 @@
 //! `Config`: every parameter of the renderer, with the ranges the hardware holds.
 
+mod error;
+
+pub use error::ConfigError;
+
 use super::division::Division;
 use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
-use crate::configuration::{Derived, OutOfRange, configuration};
-use crate::{Format, FragmentDepth, Sampling, TableShape, bus};
+use crate::configuration::{Derived, configuration};
+use crate::{Format, FragmentDepth, Sampling, TableShape};
 use serde::{Deserialize, Serialize};
 
 /// Edge of a tile in pixels (thesis 5.5.1).
@@ -116,44 +120,6 @@ configuration! {
     }
 }
 
-/// A configuration the hardware cannot hold.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ConfigError {
-    /// A number lies outside its range.
-    #[error(transparent)]
-    Range(#[from] OutOfRange),
-    /// A pace the heap does not have.
-    #[error("`heap_interval` = {0}: expected 2 cycles an operation, or 4 for a higher clock")]
-    HeapInterval(u32),
-    /// A row of samples that ends within a pixel.
-    #[error(
-        "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"
-    )]
-    OddWidth(u32),
-    /// More or fewer attributes than the accumulators hold.
-    #[error("`continuous` + `cardinal` = {0}: expected 1 to {ATTRIBUTES_MAX} attributes")]
-    Attributes(u32),
-    /// A format the operators cannot compute in.
-    #[error("`{key}` = \"{format}\": expected one of {expected}")]
-    Format {
-        /// The TOML key.
-        key: &'static str,
-        /// Its value.
-        format: Format,
-        /// What would be right.
-        expected: &'static str,
-    },
-    /// Depths of samples where there is no number to hold them.
-    #[error(
-        "`rasterizer` = \"{0}\" with `depth` = \"plane\": expected `depth` = \"center\", or a floating-point `rasterizer`, in which \
-         samples have depths of their own"
-    )]
-    PlaneInFixedPoint(RasterFormat),
-    /// A width that no bus has.
-    #[error(transparent)]
-    Bus(#[from] bus::ConfigError),
-}
-
 /// Bits of an arrival number beyond those that count the copies in a full heap: the top one is its epoch, the others give an epoch eight
 /// heaps of arrivals.
 ///
@@ -216,23 +182,16 @@ impl Config {
     /// Format of the reciprocal of the screen filter's squared radius.
     #[must_use]
     pub fn filter_scale_format(&self) -> UniformFormat {
-        self.uniform_format("filter_scale")
+        match self.raster_format() {
+            RasterFormat::Float(format) => UniformFormat::Float(format),
+            RasterFormat::Fixed(_) => UniformFormat::Fixed(Coefficient::FILTER_SCALE),
+        }
     }
 
     /// Whether each sample has a depth of its own, by its splat's plane.
     #[must_use]
     pub fn has_depth_plane(&self) -> bool {
         self.depth == FragmentDepth::Plane
-    }
-
-    /// Format of a uniform register.
-    #[must_use]
-    pub fn uniform_format(&self, name: &str) -> UniformFormat {
-        match self.raster_format() {
-            RasterFormat::Float(format) if name == "filter_scale" => UniformFormat::Float(format),
-            RasterFormat::Fixed(_) if name == "filter_scale" => UniformFormat::Fixed(Coefficient::FILTER_SCALE),
-            _ => UniformFormat::Float(self.geometry),
-        }
     }
 
     /// Attributes of both kinds.

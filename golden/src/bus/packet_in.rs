@@ -2,41 +2,41 @@
 //!
 //! A packet is judged by its `tlast` and by the range of one of its fields; a refused one leaves no trace but its count.
 
-use pointcore_contract::Field;
 use pointcore_contract::bus::Layout;
-use pointcore_contract::bus::packets::FieldRange;
+use pointcore_contract::bus::packets::{FieldRange, Packet};
+use pointcore_contract::{Words, read};
 
 /// What becomes of a packet.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// A good packet's fields.
-    Taken(Vec<u64>),
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict<R> {
+    /// A good packet's record.
+    Taken(R),
     /// It is dropped; what of it is still to come is dropped too.
     Refused,
 }
 
 /// The receiving end of a stream of packets.
 #[derive(Clone, Debug)]
-pub struct PacketIn {
+pub struct PacketIn<R: Packet> {
+    config: R::Config,
     layout: Layout,
     bytes: usize,
-    range: Option<FieldRange>,
     gathered: Vec<u8>,
     /// A packet that is longer than it may be goes on.
     is_overlong: bool,
 }
 
-impl PacketIn {
-    /// For packets of these fields.
+impl<R: Packet<Domain = Words>> PacketIn<R> {
+    /// For packets of a record.
     #[must_use]
-    pub fn new(fields: &[Field], stream_bits: u32, range: Option<FieldRange>) -> Self {
-        let layout = Layout::of(fields);
+    pub fn new(config: &R::Config, stream_bits: u32) -> Self {
+        let layout = Layout::record::<R>(config);
         let bytes = layout.packet_bytes(stream_bits) as usize;
-        Self { layout, bytes, range, gathered: vec![], is_overlong: false }
+        Self { config: config.clone(), layout, bytes, gathered: vec![], is_overlong: false }
     }
 
     /// Takes a beat; says so when a packet is decided.
-    pub fn beat(&mut self, data: &[u8], tlast: bool) -> Option<Verdict> {
+    pub fn beat(&mut self, data: &[u8], tlast: bool) -> Option<Verdict<R>> {
         if self.is_overlong {
             self.is_overlong = !tlast;
             return None;
@@ -51,25 +51,39 @@ impl PacketIn {
         Some(if is_whole && tlast { self.judge(&packet) } else { Verdict::Refused })
     }
 
-    fn judge(&self, packet: &[u8]) -> Verdict {
+    fn judge(&self, packet: &[u8]) -> Verdict<R> {
         let fields = self.layout.decode(packet);
-        let in_range = self.range.is_none_or(|FieldRange { name, low, high }| {
-            let place = self.layout.places.iter().position(|place| place.name == name);
-            let value = fields[place.expect("the range is of a field")];
-            (u64::from(low)..=u64::from(high)).contains(&value)
-        });
-        if in_range { Verdict::Taken(fields) } else { Verdict::Refused }
+        let in_range = R::range(&self.config)
+            .is_none_or(|FieldRange { field, low, high }| (u64::from(low)..=u64::from(high)).contains(&fields[field]));
+        if in_range { Verdict::Taken(read(&self.config, &fields)) } else { Verdict::Refused }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::{places, record};
+
+    /// Two fields, of which one has a range.
+    #[record(config: ())]
+    struct Pair {
+        /// From 1 to 3.
+        #[bits(8)]
+        a: u8,
+        /// Any value.
+        #[bits(32)]
+        b: u32,
+    }
+
+    impl Packet for Pair {
+        fn range(config: &()) -> Option<FieldRange> {
+            places::<Self>(config).a.map(|field| FieldRange { field, low: 1, high: 3 })
+        }
+    }
 
     #[test]
     fn packets_of_a_wrong_length_are_refused_once() {
-        let fields = [Field::new("a", 8), Field::new("b", 32)];
-        let mut unit = PacketIn::new(&fields, 32, Some(FieldRange { name: "a", low: 1, high: 3 }));
+        let mut unit = PacketIn::<Pair>::new(&(), 32);
         let mut verdicts = vec![];
         for (byte, tlast) in [
             (1, false),
@@ -87,10 +101,10 @@ mod tests {
             verdicts.extend(unit.beat(&[byte, 0, 0, 0], tlast));
         }
         let expected = [
-            Verdict::Taken(vec![1, 7]),
+            Verdict::Taken(Pair { a: 1, b: 7 }),
             Verdict::Refused,
             Verdict::Refused,
-            Verdict::Taken(vec![3, 9]),
+            Verdict::Taken(Pair { a: 3, b: 9 }),
             Verdict::Refused,
         ];
         assert_eq!(verdicts, expected);

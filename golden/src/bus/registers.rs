@@ -1,7 +1,7 @@
 //! Registers of a core as a host meets them: every access at once, in order.
 
-use pointcore_contract::bus::registers::ERRORS;
-use pointcore_contract::bus::{Access, Kind, Register, When};
+use pointcore_contract::bus::registers::{ERRORS, ErrorCounter, INTERRUPT_ENABLE, RunCounter};
+use pointcore_contract::bus::{Access, Register, RegisterKind, When};
 use std::collections::BTreeMap;
 
 /// The bits of a whole register.
@@ -20,21 +20,6 @@ pub enum Response {
     Refused,
 }
 
-/// The error counters by their place in [`ERRORS`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Error {
-    /// `access_errors`.
-    Access,
-    /// `busy_errors`.
-    Busy,
-    /// `burst_errors`.
-    Burst,
-    /// `packet_errors`.
-    Packet,
-    /// `memory_errors`.
-    Memory,
-}
-
 /// The registers of a core.
 #[derive(Clone, Debug)]
 pub struct Registers {
@@ -42,8 +27,8 @@ pub struct Registers {
     /// Values of settings, by address.
     values: BTreeMap<u32, u32>,
     errors: [u32; ERRORS.len()],
-    /// Counters of the run, by name.
-    counters: BTreeMap<String, u32>,
+    /// Counters of the run.
+    counters: BTreeMap<RunCounter, u32>,
     /// A run is under way.
     pub busy: bool,
     /// A run has ended since the last start.
@@ -71,15 +56,15 @@ impl Registers {
     }
 
     /// Something elsewhere went wrong.
-    pub fn error(&mut self, error: Error) {
+    pub fn error(&mut self, error: ErrorCounter) {
         let count = &mut self.errors[error as usize];
         *count = count.saturating_add(1);
     }
 
     /// Something happened in the run; nothing counts outside of one.
-    pub fn event(&mut self, counter: &str) {
+    pub fn event(&mut self, counter: RunCounter) {
         if self.busy {
-            let count = self.counters.entry(counter.to_owned()).or_default();
+            let count = self.counters.entry(counter).or_default();
             *count = count.saturating_add(1);
         }
     }
@@ -90,17 +75,16 @@ impl Registers {
         self.busy = false;
     }
 
-    /// A setting's value by name.
+    /// A setting's value by its address.
     #[must_use]
-    pub fn setting(&self, name: &str) -> u32 {
-        let register = self.map.iter().find(|register| register.name == name);
-        register.and_then(|register| self.values.get(&register.address)).copied().unwrap_or(0)
+    pub fn setting(&self, address: u32) -> u32 {
+        self.values.get(&address).copied().unwrap_or(0)
     }
 
     /// `irq`.
     #[must_use]
     pub fn interrupt(&self) -> bool {
-        self.done && self.setting("interrupt_enable") == 1
+        self.done && self.setting(INTERRUPT_ENABLE) == 1
     }
 
     fn register(&self, address: u32) -> Option<Register> {
@@ -110,24 +94,29 @@ impl Registers {
     /// A write; `occupied` while a burst to the tree is under way.
     pub fn write(&mut self, address: u32, data: u32, strobes: u8, occupied: bool) -> Response {
         let register = self.register(address).filter(|register| register.access() != Access::Read);
-        let Some(register) = register.filter(|_| strobes == ALL_STROBES) else { return self.refuse(Error::Access) };
-        let is_control = register.kind == Kind::Control;
+        let Some(register) = register.filter(|_| strobes == ALL_STROBES) else {
+            return self.refuse(ErrorCounter::Access);
+        };
+        let is_control = register.kind == RegisterKind::Control;
         let (starts, resets) = (is_control && data & START != 0, is_control && data & RESET != 0);
         let needs_idle = if is_control { starts || resets } else { register.when() == When::Idle };
         if (needs_idle && self.busy) || (starts && occupied) {
-            return self.refuse(Error::Busy);
+            return self.refuse(ErrorCounter::Busy);
         }
         let value = data & (u32::MAX >> (32 - register.width));
         match register.kind {
-            Kind::Control => {
+            RegisterKind::Control => {
                 if starts && self.lacks_queries() {
-                    return self.refuse(Error::Access);
+                    return self.refuse(ErrorCounter::Access);
                 }
                 self.command(data);
             }
-            Kind::Setting { multiple } if !value.is_multiple_of(multiple) => return self.refuse(Error::Access),
-            Kind::Uniform => {
-                let first = self.map.iter().find(|other| other.kind == Kind::Uniform).map_or(0, |first| first.address);
+            RegisterKind::Setting { multiple } if !value.is_multiple_of(multiple) => {
+                return self.refuse(ErrorCounter::Access);
+            }
+            RegisterKind::Uniform => {
+                let first =
+                    self.map.iter().find(|other| other.kind == RegisterKind::Uniform).map_or(0, |first| first.address);
                 self.uniforms.push(((address - first) / 4, value));
             }
             _ => _ = self.values.insert(address, value),
@@ -148,10 +137,10 @@ impl Registers {
     }
 
     fn lacks_queries(&self) -> bool {
-        self.map.iter().any(|register| register.kind == Kind::Queries) && self.setting("queries") == 0
+        self.map.iter().any(|register| register.kind == RegisterKind::Queries && self.setting(register.address) == 0)
     }
 
-    fn refuse(&mut self, error: Error) -> Response {
+    fn refuse(&mut self, error: ErrorCounter) -> Response {
         self.error(error);
         Response::Refused
     }
@@ -159,20 +148,17 @@ impl Registers {
     /// A read.
     pub fn read(&mut self, address: u32) -> (u32, Response) {
         let Some(register) = self.register(address).filter(|register| register.access() != Access::Write) else {
-            return (0, self.refuse(Error::Access));
+            return (0, self.refuse(ErrorCounter::Access));
         };
         let value = match register.kind {
-            Kind::Identity(value) => value,
-            Kind::Status => {
+            RegisterKind::Identity(value) => value,
+            RegisterKind::Status => {
                 let error = self.errors.iter().any(|count| *count > 0);
                 u32::from(self.busy) | u32::from(self.done) << 1 | u32::from(error) << 2
             }
-            Kind::Errors => {
-                let place = ERRORS.iter().position(|(name, _)| *name == register.name);
-                self.errors[place.expect("error counters are those of the list")]
-            }
-            Kind::Run => self.counters.get(&register.name).copied().unwrap_or(0),
-            _ => self.values.get(&address).copied().unwrap_or(0),
+            RegisterKind::Errors(error) => self.errors[error as usize],
+            RegisterKind::Run(counter) => self.counters.get(&counter).copied().unwrap_or(0),
+            _ => self.setting(address),
         };
         (value, Response::Okay)
     }
@@ -181,12 +167,12 @@ impl Registers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::bus::registers::{self, CONTROL, SETTINGS, STATUS};
+    use pointcore_contract::bus::registers::{CONTROL, RegisterMap, SETTINGS, STATUS, SearchRegisters};
     use pointcore_contract::search::Config;
 
     #[test]
     fn what_is_refused_changes_nothing_and_counts_once() {
-        let mut unit = Registers::new(&registers::search(&Config::default()));
+        let mut unit = Registers::new(&SearchRegisters::registers(&Config::default()));
         let queries = SETTINGS + 8;
         assert_eq!(unit.write(CONTROL, START, 0xf, false), Response::Refused, "no queries");
         assert_eq!(unit.write(queries, 3, 0xf, false), Response::Okay);

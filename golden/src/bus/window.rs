@@ -1,34 +1,14 @@
 //! Window: bursts of 64-bit words into the tree's memories.
 
+use pointcore_contract::bus::axi::{BurstAddress, WriteBeat};
+
 /// `INCR`.
 const INCREMENTING: u8 = 1;
 /// log2 of a word's bytes.
 const WORD_SIZE: u8 = 3;
 const WORD_BYTES: u32 = 8;
-
-/// What a master says of a burst.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Address {
-    /// Of its first byte.
-    pub address: u32,
-    /// Beats less one.
-    pub length: u8,
-    /// log2 of a beat's bytes.
-    pub size: u8,
-    /// Kind of burst.
-    pub burst: u8,
-}
-
-/// A beat of a write burst.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Beat {
-    /// The word.
-    pub data: u64,
-    /// A bit for each byte that is to be written.
-    pub strobes: u8,
-    /// The master takes it for the burst's last.
-    pub last: bool,
-}
+/// All bytes of a word.
+const ALL_STROBES: u64 = 0xff;
 
 /// How a burst ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +36,7 @@ impl Window {
 
     /// A write burst: what is written, index and word, and how the burst is answered.
     #[must_use]
-    pub fn write(&self, address: Address, beats: &[Beat], is_locked: bool) -> (Vec<(u32, u64)>, Outcome) {
+    pub fn write(&self, address: BurstAddress, beats: &[WriteBeat], is_locked: bool) -> (Vec<(u32, u64)>, Outcome) {
         let words = 1u64 << self.index_bits;
         let index = u64::from(address.address / WORD_BYTES) % words;
         let count = u64::from(address.length) + 1;
@@ -72,7 +52,7 @@ impl Window {
         }
         let mut written = vec![];
         for (place, beat) in (0..count).zip(beats) {
-            if beat.strobes == u8::MAX && beat.last == (place + 1 == count) {
+            if beat.strobes == ALL_STROBES && beat.last == (place + 1 == count) {
                 written.push(((index + place) as u32, beat.data));
             }
         }
@@ -88,13 +68,13 @@ mod tests {
     #[test]
     fn only_plain_bursts_are_written() {
         let window = Window::new(3);
-        let good = Address { address: 0x130, length: 1, size: 3, burst: 1 };
-        let beats = [false, true].map(|last| Beat { data: 7, strobes: 0xff, last });
+        let good = BurstAddress { id: 0, address: 0x130, length: 1, size: 3, burst: 1 };
+        let beats = [false, true].map(|last| WriteBeat { data: 7, strobes: 0xff, last });
         assert_eq!(window.write(good, &beats, false), (vec![(6, 7), (7, 7)], Outcome::Okay));
         assert_eq!(window.write(good, &beats, true), (vec![], Outcome::RefusedBusy));
-        let outside = Address { address: 0x138, ..good };
+        let outside = BurstAddress { address: 0x138, ..good };
         assert_eq!(window.write(outside, &beats, true), (vec![], Outcome::RefusedBurst));
-        let partial = [Beat { strobes: 0x7f, ..beats[0] }, beats[1]];
+        let partial = [WriteBeat { strobes: 0x7f, ..beats[0] }, beats[1]];
         assert_eq!(window.write(good, &partial, false), (vec![(7, 7)], Outcome::RefusedBurst));
     }
 }

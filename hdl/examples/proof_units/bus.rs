@@ -1,12 +1,14 @@
 //! The units on the bus, for the record that `formal/record.vh` lays out.
 
 use super::Proof;
-use pointcore_contract::bus::config::WRITES_MAX;
-use pointcore_contract::bus::packets::FieldRange;
-use pointcore_contract::bus::ports;
-use pointcore_contract::bus::registers::{self as map, Kind, Register};
+use pointcore_contract::bus::config::{REGISTER_BITS, WRITES_MAX};
+use pointcore_contract::bus::packets::{FieldRange, Packet};
+use pointcore_contract::bus::registers::{
+    self as map, ErrorSources, MapEntry, Register, RegisterKind, RegisterMap, SearchRegisters, SplatRegisters,
+    UniformBits,
+};
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::{Field, search, splat};
+use pointcore_contract::{fields, places, record, search, splat};
 use pointcore_hdl::bus::cores::buffer;
 use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
 
@@ -14,24 +16,65 @@ use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, write
 const BYTES: u32 = 12;
 const STRIDE: u32 = 16;
 
-/// Fields whose containers leave gaps between them; the third, of one bit, is called as told.
-fn record(third: &str) -> Vec<Field> {
-    [("a", 3), ("b", 20), (third, 1), ("d", 9)].map(|(name, width)| Field::new(name, width)).to_vec()
+/// Fields whose containers leave gaps between them. Where it is a packet, `a` has a range.
+#[record(range: Option<(u32, u32)>)]
+struct Gaps {
+    /// Few bits.
+    #[bits(3)]
+    a: u8,
+    /// Many bits.
+    #[bits(20)]
+    b: u32,
+    /// One bit.
+    c: bool,
+    /// More than a byte.
+    #[bits(9)]
+    d: u16,
+}
+
+impl Packet for Gaps {
+    fn range(range: &Option<(u32, u32)>) -> Option<FieldRange> {
+        let field = places::<Self>(range).a?;
+        range.map(|(low, high)| FieldRange { field, low, high })
+    }
+}
+
+/// The same, with a flag that closes a run.
+#[record(config: ())]
+struct Closing {
+    /// Few bits.
+    #[bits(3)]
+    a: u8,
+    /// Many bits.
+    #[bits(20)]
+    b: u32,
+    /// Closes a run.
+    end: bool,
+    /// More than a byte.
+    #[bits(9)]
+    d: u16,
+}
+
+impl Packet for Closing {
+    fn end(config: &()) -> Option<usize> {
+        places::<Self>(config).end
+    }
 }
 
 /// Packets of several beats and of one, full and padded; with and without a field `end` and a range.
 fn packets() -> Vec<Proof> {
     let sizes = |bits: u32| [("BITS", bits), ("BEATS", (8 * BYTES).div_ceil(bits))];
-    let input = |name, bits, third, (low, high)| {
-        let range = FieldRange { name: "a", low, high };
-        let sizes = [sizes(bits), [("LOW", low), ("HIGH", high)]].concat();
-        Proof::new(name, packet_in::module(&record(third), bits, (high < 7).then_some(&range)), &sizes)
+    let input_sizes = |bits, (low, high)| [sizes(bits), [("LOW", low), ("HIGH", high)]].concat();
+    let input = |name, bits, range: Option<(u32, u32)>| {
+        let sizes = input_sizes(bits, range.unwrap_or((0, 7)));
+        Proof::new(name, packet_in::module::<Gaps>(&range, bits), &sizes)
     };
-    let output = |name, bits| Proof::new(name, packet_out::module(&record("c"), bits), &sizes(bits));
+    let end = Proof::new("bus_packet_in_end", packet_in::module::<Closing>(&(), 32), &input_sizes(32, (0, 7)));
+    let output = |name, bits| Proof::new(name, packet_out::module::<Gaps>(&None, bits), &sizes(bits));
     vec![
-        Proof { flags: vec!["ENDS"], ..input("bus_packet_in_end", 32, "end", (0, 7)) },
-        input("bus_packet_in_range", 64, "c", (1, 5)),
-        input("bus_packet_in_beat", 128, "c", (0, 7)),
+        Proof { flags: vec!["ENDS"], ..end },
+        input("bus_packet_in_range", 64, Some((1, 5))),
+        input("bus_packet_in_beat", 128, None),
         output("bus_packet_out", 32),
         output("bus_packet_out_beat", 128),
     ]
@@ -45,10 +88,10 @@ fn memory() -> Vec<Proof> {
     let sizes = |bits: u32| [("BITS", bits), ("BEATS", 8 * STRIDE / bits), ("LIMIT", LIMIT)];
     let reads = |name, bits, records_max: u32| {
         let records = [("RECORDS_MAX", records_max), ("RECORDS_BITS", u32::BITS - records_max.leading_zeros())];
-        let unit = reader::limited(&record("c"), bits, records_max, LIMIT);
+        let unit = reader::limited::<Gaps>(&None, bits, records_max, LIMIT);
         Proof::new(name, unit, &[sizes(bits).as_slice(), &records].concat())
     };
-    let writes = |name, bits| Proof::new(name, writer::limited(&record("c"), bits, LIMIT), &sizes(bits));
+    let writes = |name, bits| Proof::new(name, writer::limited::<Gaps>(&None, bits, LIMIT), &sizes(bits));
     vec![
         reads("bus_reader", 64, 3),
         reads("bus_reader_beat", 128, 3),
@@ -71,7 +114,7 @@ fn buffers() -> [Proof; 4] {
             ("TILE_PIXELS", tile_pixels),
             ("PIXEL_BITS", tile_pixels.ilog2()),
         ];
-        Proof::new(name, buffer::alone(&record("c"), bits, TILE_BITS, tile_pixels, limit), &sizes)
+        Proof::new(name, buffer::alone::<Gaps>(&None, bits, TILE_BITS, tile_pixels, limit), &sizes)
     };
     let small = |name, flag| Proof { flags: vec![flag], ..buffer(name, 128, 2, 2) };
     [
@@ -86,27 +129,60 @@ fn buffers() -> [Proof; 4] {
 const VALUE_BITS: u32 = 5;
 const UNIFORMS: u32 = 3;
 
-/// A map with a register of every kind at its place: what both cores have, the search core's settings, and some of the renderer's uniforms.
+/// A map with a register of every kind at its place: what both cores have, the search core's settings, and some uniforms of the renderer's.
+struct EveryKind;
+
+/// Its settings: a base, the number of queries, and a number.
+#[record(config: ())]
+struct Settings {
+    /// Address of something.
+    #[bits(REGISTER_BITS)]
+    base: u32,
+    /// Queries of the next run.
+    #[bits(REGISTER_BITS)]
+    queries: u32,
+    /// Some number.
+    #[bits(VALUE_BITS)]
+    scale: u8,
+}
+
+/// Its events.
+#[record(config: ())]
+struct Events {
+    /// Something is seen.
+    event_seen: bool,
+}
+
+impl RegisterMap for EveryKind {
+    type Config = ();
+    type Settings = Settings;
+    type Events = Events;
+
+    fn registers(config: &()) -> Vec<Register> {
+        let search = SearchRegisters::registers(&search::Config::default());
+        let entries =
+            Settings { base: MapEntry::base(0), queries: MapEntry::queries(0x8), scale: MapEntry::value(0x10) };
+        let uniforms = SplatRegisters::registers(&splat::Config::default());
+        let uniforms =
+            uniforms.into_iter().filter(|register| register.kind == RegisterKind::Uniform).take(UNIFORMS as usize);
+        let uniforms = uniforms.map(|register| Register { width: VALUE_BITS, ..register });
+        let common = map::common(search[0].reset(), &fields::<Events>(config));
+        common.into_iter().chain(map::settings::<Settings>(config, entries)).chain(uniforms).collect()
+    }
+}
+
 fn registers() -> Proof {
-    let splat = map::splat(&splat::Config::default());
-    let search = map::search(&search::Config { neighbor_cache: 2, ..search::Config::default() });
-    let id = search[0].reset();
-    let renamed = |register: Register| match register.name.as_str() {
-        _ if register.address < map::EVENTS => Some(register),
-        _ if register.address == map::EVENTS => Some(Register { name: "event_seen".to_owned(), ..register }),
-        "points_base" => Some(Register { name: "base".to_owned(), ..register }),
-        "queries" => Some(register),
-        "cache_far_scale" => Some(Register { name: "scale".to_owned(), width: VALUE_BITS, ..register }),
-        _ => None,
-    };
-    let uniforms = splat.into_iter().filter(|register| register.kind == Kind::Uniform).take(UNIFORMS as usize);
-    let uniforms = uniforms.map(|register| Register { width: VALUE_BITS, ..register });
-    let every_kind: Vec<_> = search.into_iter().filter_map(renamed).chain(uniforms).collect();
-    let (uniform_bits, _) = ports::uniforms(&every_kind).expect("the map has uniforms");
-    let sizes =
-        [("IDENTITY", id), ("VALUE_BITS", VALUE_BITS), ("UNIFORM_COUNT", UNIFORMS), ("UNIFORM_BITS", uniform_bits)];
+    let every_kind = EveryKind::registers(&());
+    let uniforms = UniformBits::of(&every_kind).expect("the map has uniforms");
+    let sizes = [
+        ("IDENTITY", every_kind[0].reset()),
+        ("VALUE_BITS", VALUE_BITS),
+        ("UNIFORM_COUNT", UNIFORMS),
+        ("UNIFORM_BITS", uniforms.address),
+    ];
     // Two sources for `burst_errors`, one for each of the others.
-    Proof::new("bus_registers", registers::module(&every_kind, [1, 2, 1, 1]), &sizes)
+    let sources = ErrorSources { busy: 1, burst: 2, packet: 1, memory: 1 };
+    Proof::new("bus_registers", registers::module::<EveryKind>(&(), sources), &sizes)
 }
 
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {

@@ -13,7 +13,6 @@ mod parts;
 pub use cores::{search, splat};
 
 use crate::compiler::Manifest;
-use pointcore_contract::Field;
 use pointcore_contract::bus::config;
 use rtl::{Expr, Module, lit};
 use std::collections::BTreeMap;
@@ -33,8 +32,6 @@ pub struct Top {
 const ADDRESS_BITS: u32 = config::ADDRESS_BITS;
 /// Bits of a burst's length, which is one less than its beats.
 const LENGTH_BITS: u32 = config::BURST_BEATS_MAX.ilog2();
-/// Bits of a response.
-const RESPONSE_BITS: u32 = 2;
 /// Bits of a register.
 const REGISTER_BITS: u32 = config::REGISTER_BITS;
 /// Bytes of a register.
@@ -60,78 +57,84 @@ fn size_of(beat_bytes: u32) -> Expr {
     lit(3, beat_bytes.ilog2().into())
 }
 
-/// Names and widths of fields, as the front end takes layouts.
-fn layout(fields: &[Field]) -> Vec<(&str, u32)> {
-    fields.iter().map(|field| (field.name.as_str(), field.width)).collect()
-}
-
-/// Fields with their values.
-fn named(fields: &[Field], values: Vec<Expr>) -> impl Iterator<Item = (&str, Expr)> {
-    fields.iter().map(|field| field.name.as_str()).zip(values)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::compiler::Options;
     use crate::units::testing::check;
-    use pointcore_contract::bus::{config::WIDTHS, packets, ports, registers as spec_registers};
+    use pointcore_contract::Record;
+    use pointcore_contract::bus::config::WIDTHS;
+    use pointcore_contract::bus::packets::Packet;
+    use pointcore_contract::bus::registers::{ErrorSources, RegisterMap, SearchRegisters, SplatRegisters};
+    use pointcore_contract::bus::units::{self, Packets, Reads, Registered, Writes};
+    use pointcore_contract::search::records::{CachedQuery, CachedResult};
+    use pointcore_contract::splat::records::{Fragment, Pixel, Splat};
     use pointcore_contract::{search, splat};
 
-    /// Few and many fields, with and without a field `end`.
-    fn packets() -> Vec<Vec<Field>> {
+    fn splats() -> [splat::Config; 2] {
         let small = splat::Config { continuous: 1, ..splat::Config::default() };
         let large = splat::Config { continuous: 13, cardinal: 1, ..small.clone() };
-        let [query, result] = packets::query_and_result(&search::Config::default());
-        let [cached_query, cached_result] =
-            packets::query_and_result(&search::Config { neighbor_cache: 2, ..search::Config::default() });
-        let records = [small, large].map(|config| packets::splat(&config).into_iter().map(|packet| packet.fields));
-        records.into_iter().flatten().chain([query, result, cached_query, cached_result]).collect()
+        [small, large]
     }
 
-    fn range_of(fields: &[Field], name: &'static str) -> Option<packets::FieldRange> {
-        fields.iter().any(|field| field.name == name).then_some(packets::FieldRange { name, low: 1, high: 1 })
+    fn searches() -> [search::Config; 2] {
+        [0, 2].map(|neighbor_cache| search::Config { neighbor_cache, ..search::Config::default() })
+    }
+
+    fn check_packets<R: Packet>(config: &R::Config) {
+        for stream_bits in WIDTHS {
+            let unit = Packets::<R> { record: config, stream_bits };
+            check(&packet_in::module::<R>(config, stream_bits), units::packet_in::interface(&unit).ports());
+            check(&packet_out::module::<R>(config, stream_bits), units::packet_out::interface(&unit).ports());
+        }
+    }
+
+    fn check_memory<R: Record>(config: &R::Config) {
+        for memory_bits in WIDTHS {
+            for records_max in [1, 3, 64] {
+                let unit = Reads::<R> { record: config, memory_bits, records_max };
+                let module = reader::module::<R>(config, memory_bits, records_max);
+                check(&module, units::reader::interface(&unit).ports());
+            }
+            let unit = Writes::<R> { record: config, memory_bits };
+            check(&writer::module::<R>(config, memory_bits), units::writer::interface(&unit).ports());
+        }
     }
 
     #[test]
     fn packet_units_have_the_specified_ports() {
-        for fields in packets() {
-            for bits in WIDTHS {
-                check(&packet_in::module(&fields, bits, None), ports::packet_in(&fields, bits));
-                if let Some(range) = ["k", "end"].into_iter().find_map(|name| range_of(&fields, name)) {
-                    check(&packet_in::module(&fields, bits, Some(&range)), ports::packet_in(&fields, bits));
-                }
-                check(&packet_out::module(&fields, bits), ports::packet_out(&fields, bits));
-            }
+        for config in splats() {
+            check_packets::<Splat>(&config);
+            check_packets::<Fragment>(&config);
+        }
+        for config in searches() {
+            check_packets::<CachedQuery>(&config);
+            check_packets::<CachedResult>(&config);
         }
     }
 
     #[test]
     fn memory_units_have_the_specified_ports() {
-        for fields in packets() {
-            for bits in WIDTHS {
-                for records in [1, 3, 64] {
-                    check(&reader::module(&fields, bits, records), ports::reader(&fields, bits, records));
-                }
-                check(&writer::module(&fields, bits), ports::writer(&fields, bits));
-            }
-        }
+        splats().iter().for_each(check_memory::<Pixel>);
+        splats().iter().for_each(check_memory::<Splat>);
+        searches().iter().for_each(check_memory::<CachedQuery>);
         for index_bits in [2, 8, 9, 15, 21] {
-            check(&window::module(index_bits), ports::window(index_bits));
+            check(&window::module(index_bits), units::window::interface(&index_bits).ports());
         }
+    }
+
+    fn check_registers<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [u32; 4]) {
+        let sources = ErrorSources { busy, burst, packet, memory };
+        let unit = Registered::<M> { config, sources };
+        check(&registers::module::<M>(config, sources), units::registers::interface(&unit).ports());
     }
 
     #[test]
     fn registers_have_the_specified_ports() {
         let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
-        let maps = [
-            (spec_registers::splat(&splat::Config::default()), [0, 1, 1, 2]),
-            (spec_registers::search(&search::Config::default()), [1, 2, 1, 1]),
-            (spec_registers::search(&b), [0, 2, 1, 2]),
-        ];
-        for (map, sources) in maps {
-            check(&registers::module(&map, sources), ports::registers(&map, sources));
-        }
+        check_registers::<SplatRegisters>(&splat::Config::default(), [0, 1, 1, 2]);
+        check_registers::<SearchRegisters>(&search::Config::default(), [1, 2, 1, 1]);
+        check_registers::<SearchRegisters>(&b, [0, 2, 1, 2]);
     }
 
     #[test]
@@ -141,12 +144,12 @@ mod tests {
             let bus = config::Config { stream_bits, memory_bits };
             let a = splat::Config { bus, heap_levels: 3, ..splat::Config::default() };
             let top = super::cores::splat::core(&a, &options).unwrap_or_else(|error| panic!("{error}"));
-            check(&top.module, ports::splat(&a));
+            check(&top.module, units::splat_axi::interface(&a).ports());
             let base = search::Config { bus, threads: 2, tree_depth: 3, ..search::Config::default() };
             for (tree_cache, neighbor_cache, lanes) in [(0, 0, 1), (16, 2, 8), (0, 2, 4), (16, 0, 2)] {
                 let b = search::Config { tree_cache, neighbor_cache, lanes, ..base.clone() };
                 let top = super::cores::search::core(&b, &options).unwrap_or_else(|error| panic!("{error}"));
-                check(&top.module, ports::search(&b));
+                check(&top.module, units::search_axi::interface(&b).ports());
             }
         }
     }

@@ -4,15 +4,16 @@
 //! Packets are judged where beats come in. What passes goes through a queue of two into the registers of the record, which take
 //! the next packet's first beat in the cycle in which the record leaves.
 
-use pointcore_contract::bus::packets::FieldRange;
-use pointcore_contract::bus::ports::has_end;
-use pointcore_contract::{Field, record};
+use pointcore_contract::bus::axi::PacketBeat;
+use pointcore_contract::bus::packets::{FieldRange, Packet};
+use pointcore_contract::bus::units::packet_in::Ports;
+use pointcore_contract::record;
 
-use super::named;
 use super::parts::beats::Beats;
 use crate::stream::skid;
-use crate::units::ports::{Flow, event_out};
-use crate::units::wires::{Bundle, Wires, layout};
+use crate::units::passage::Passage;
+use crate::units::ports::{ChannelInPorts, StreamOutPorts, WordPort};
+use crate::units::wires::{Bundle, layout};
 use rtl::{Expr, Module, Reg, bit, lit};
 
 /// A beat that is judged.
@@ -29,21 +30,30 @@ struct Judged {
     place: u32,
 }
 
-/// The unit; ports as in `contract::bus::ports::packet_in`. Packets whose field is out of `range` are refused. Of a record with a
-/// field `end`, the packet with it set is a run's last.
+/// What tells a run's last packet.
+enum Closing {
+    /// A flag of its own, the field at this place.
+    Flag(usize),
+    /// Whoever uses the unit.
+    Told(Expr),
+}
+
+/// The unit; ports as in `contract::bus::units::packet_in`. Packets with a field out of its range are refused.
 #[must_use]
-pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) -> Module {
-    let beats = Beats::packet(fields, stream_bits);
+pub fn module<R: Packet>(config: &R::Config, stream_bits: u32) -> Module {
+    let ports = Ports::<R>::ALL;
+    let beats = Beats::packet::<R>(config, stream_bits);
     let mut m = Module::new("bus_packet_in", "Gathers the beats of packets into records.");
     m.parameter("beats", beats.count);
     m.parameter("width", stream_bits);
-    let opens = m.input("opens", 1);
-    let last = if has_end(fields) { None } else { Some(m.input("last", 1)) };
-    let tvalid = m.input("s_axis_tvalid", 1);
+    let opens = ports.opens.declare_word(&mut m, 1);
+    let closes = match R::end(config) {
+        Some(end) => Closing::Flag(end),
+        None => Closing::Told(ports.last.declare_word(&mut m, 1)),
+    };
     let tready = m.forward("s_axis_ready", 1);
-    m.output("s_axis_tready", tready);
-    let tdata = m.input("s_axis_tdata", stream_bits);
-    let tlast = m.input("s_axis_tlast", 1);
+    let (tvalid, beat) = ports.packets.beats.declare(&mut m, &stream_bits, tready);
+    let PacketBeat { data: tdata, last: tlast } = beat;
     let takes = m.wire("takes", tvalid & tready);
 
     // The place of the beat that comes in its packet; of one without end, only its end counts.
@@ -53,9 +63,9 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     let whole = m.wire("whole", takes & (tlast & (at_end & !is_overlong)));
     let wrong = takes & ((tlast ^ at_end) & !is_overlong);
     let incoming = Incoming { beats: &beats, data: tdata, place, takes };
-    let in_range = range.map_or(bit(true), |FieldRange { name, low, high }| {
-        let holds = |value: Expr| value.ge_lit((*low).into()) & !value.gt(lit(value.width(), (*high).into()));
-        incoming.noted(&mut m, "in_range", name, holds)
+    let in_range = R::range(config).map_or(bit(true), |FieldRange { field, low, high }| {
+        let holds = |value: Expr| value.ge_lit(low.into()) & !value.gt(lit(value.width(), high.into()));
+        incoming.noted(&mut m, "in_range", field, holds)
     });
     let good = m.wire("good", whole & in_range);
     m.next_if(is_overlong, takes, !tlast & (is_overlong | at_end));
@@ -65,22 +75,21 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     }
     let begun = m.reg_reset("begun", 1, 0);
     m.next_if(begun, takes, !tlast);
-    let closes = match last {
-        Some(last) => last,
-        None => incoming.noted(&mut m, "ends", "end", |flag| flag),
+    let closes = match closes {
+        Closing::Flag(end) => incoming.noted(&mut m, "ends", end, |flag| flag),
+        Closing::Told(last) => last,
     };
     let is_open = m.reg_reset("is_open", 1, 0);
     m.next(is_open, opens | (is_open & !(good & closes)));
 
-    let queue = m.instance("beat_queue", skid(&layout::<Judged>(&beats)));
-    let room = m.out(queue, "in_ready");
+    let queue = Passage::<Judged>::place(&mut m, "beat_queue", skid(&layout::<Judged>(&beats)));
+    let room = queue.room(&mut m);
     m.drive(tready, room & (begun | is_open));
-    m.connect(queue, "in_valid", takes & !is_overlong);
     let number = place.map_or_else(Expr::default, |place| place.expr());
     let judged = Judged { good, data: beats.squeeze(tdata), place: number };
-    judged.connect(&mut m, &beats, queue, "in_");
+    queue.push(&mut m, &beats, takes & !is_overlong, judged);
 
-    let head = Flow::<Judged<Wires>>::from(&mut m, &beats, queue, "out");
+    let head = queue.out(&mut m, &beats);
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let out_taken = m.forward("out_taken", 1);
     let advance = m.wire("advance", !out_valid | out_taken);
@@ -89,10 +98,10 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     let moves = m.wire("moves", head.transfer());
     let place = place.map(|_| head.record.place);
     let record = beats.gather(&mut m, head.record.data, place, moves);
-    let ready = m.stream_out("out", out_valid, named(fields, record));
+    let ready = ports.out.drive(&mut m, config, out_valid, Bundle::from_values(config, record));
     m.drive(out_taken, ready);
-    event_out(&mut m, "taken", good);
-    event_out(&mut m, "refused", wrong | (whole & !in_range));
+    ports.taken.event(&mut m, good);
+    ports.refused.event(&mut m, wrong | (whole & !in_range));
     m
 }
 
@@ -106,7 +115,7 @@ struct Incoming<'a> {
 
 impl Incoming<'_> {
     /// What holds of a field, from its beat to the packet's last.
-    fn noted(&self, m: &mut Module, name: &str, field: &str, holds: impl Fn(Expr) -> Expr) -> Expr {
+    fn noted(&self, m: &mut Module, name: &str, field: usize, holds: impl Fn(Expr) -> Expr) -> Expr {
         let (beat, value) = self.beats.field_in(field, self.data);
         let now = holds(value);
         let Some(place) = self.place else { return now };

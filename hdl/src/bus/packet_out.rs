@@ -1,32 +1,32 @@
 //! Packets out (`docs/interfaces.md`): spreads records over the beats of an AXI4-Stream; golden twin:
 //! `pointcore_golden::bus::packet_out`.
 
-use pointcore_contract::Field;
+use pointcore_contract::Record;
+use pointcore_contract::bus::axi::PacketBeat;
+use pointcore_contract::bus::units::packet_out::Ports;
 
-use super::layout;
 use super::parts::beats::Beats;
 use super::parts::spread::spread;
-use crate::units::ports::event_out;
+use crate::units::ports::{ChannelOutPorts, StreamInPorts, WordPort};
+use crate::units::wires::Bundle;
 use rtl::{Module, bit};
 
-/// The unit; ports as in `contract::bus::ports::packet_out`.
+/// The unit; ports as in `contract::bus::units::packet_out`.
 #[must_use]
-pub fn module(fields: &[Field], stream_bits: u32) -> Module {
-    let beats = Beats::packet(fields, stream_bits);
+pub fn module<R: Record>(config: &R::Config, stream_bits: u32) -> Module {
+    let ports = Ports::<R>::ALL;
+    let beats = Beats::packet::<R>(config, stream_bits);
     let mut m = Module::new("bus_packet_out", "Spreads records over the beats of packets.");
     m.parameter("beats", beats.count);
     m.parameter("width", stream_bits);
-    let input = m.stream_in("in", &layout(fields));
-    let values: Vec<_> = input.fields.iter().map(|(_, value)| *value).collect();
+    let input = ports.input.declare(&mut m, config);
     let accepts = bit(true);
-    let words = spread(&mut m, &beats, input.valid, &values, accepts);
-    m.ready(&input, words.ready);
-    m.output("m_axis_tvalid", words.out.valid);
-    let tready = m.input("m_axis_tready", 1);
-    m.output("m_axis_tdata", words.out.record.data);
-    m.output("m_axis_tlast", words.out.record.last);
+    let words = spread(&mut m, &beats, input.valid, &input.record.values(config), accepts);
+    m.drive(input.ready, words.ready);
+    let beat = PacketBeat { data: words.out.record.data, last: words.out.record.last };
+    let tready = ports.packets.beats.drive(&mut m, &stream_bits, words.out.valid, beat);
     m.drive(words.out.ready, tready);
-    event_out(&mut m, "sent", words.out.transfer() & words.out.record.last);
-    m.output("idle", words.idle);
+    ports.sent.event(&mut m, words.out.transfer() & words.out.record.last);
+    ports.idle.drive_word(&mut m, words.idle);
     m
 }

@@ -3,50 +3,33 @@
 //!
 //! A write burst is judged in the cycle after its address was taken, from registers; its words follow.
 
+use pointcore_contract::bus::axi::{ReadBeat, WriteAnswer};
 use pointcore_contract::bus::config::{ID_BITS, TREE_WORD_BITS};
+use pointcore_contract::bus::units::WindowWrite;
+use pointcore_contract::bus::units::window::Ports;
 
-use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of};
-use crate::units::ports::event_out;
-use rtl::{Expr, Module, lit};
+use super::{INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of};
+use crate::units::ports::{ChannelInPorts, ChannelOutPorts, PulseOutPorts, WordPort};
+use crate::units::wires::Bundle;
+use rtl::{Expr, Module, bit, lit};
 
 const WORD_BITS: u32 = TREE_WORD_BITS;
 const WORD_BYTES: u32 = WORD_BITS / 8;
 /// Bits of a byte's place in its word.
 const BYTE_BITS: u32 = WORD_BYTES.ilog2();
 
-/// What an address channel says of a burst.
-struct Address {
-    valid: Expr,
-    id: Expr,
-    address: Expr,
-    length: Expr,
-    size: Expr,
-    burst: Expr,
-}
-
-impl Address {
-    fn input(m: &mut Module, prefix: &str, ready: Expr) -> Self {
-        let valid = m.input(&format!("{prefix}valid"), 1);
-        m.output(&format!("{prefix}ready"), ready);
-        let mut input = |name: &str, width| m.input(&format!("{prefix}{name}"), width);
-        let (id, address) = (input("id", ID_BITS), input("addr", ADDRESS_BITS));
-        let (length, size, burst) = (input("len", LENGTH_BITS), input("size", 3), input("burst", 2));
-        Self { valid, id, address, length, size, burst }
-    }
-}
-
-/// The unit with `2^index_bits` words; ports as in `contract::bus::ports::window`.
+/// The unit with `2^index_bits` words; ports as in `contract::bus::units::window`.
 #[must_use]
 pub fn module(index_bits: u32) -> Module {
     let mut m = Module::new("bus_window", "Takes bursts of words into a memory, and refuses all others.");
     m.parameter("index_bits", index_bits);
-    let locked = m.input("locked", 1);
+    let locked = Ports::ALL.locked.declare_word(&mut m, 1);
     let refused_write = writes(&mut m, index_bits, locked);
     let read = reads(&mut m);
     // A refused read waits for the pulse where a write is refused at the same time: every burst counts.
     let read_waits = m.reg_reset("read_waits", 1, 0);
     m.next(read_waits, read | (read_waits & refused_write));
-    event_out(&mut m, "refused_burst", refused_write | read_waits);
+    Ports::ALL.refused_burst.event(&mut m, refused_write | read_waits);
     m
 }
 
@@ -56,8 +39,9 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
         ["is_judged", "takes_words", "s_axi_bvalid"].map(|name| m.reg_reset(name, 1, 0));
     let awready = !(is_judged | takes_words | bvalid);
     let awready = m.wire("address_ready", awready);
-    let burst = Address::input(m, "s_axi_aw", awready);
-    let begins = m.wire("begins", burst.valid & awready);
+    let ports = Ports::ALL;
+    let (awvalid, burst) = ports.host.write_address.declare(m, &(), awready);
+    let begins = m.wire("begins", awvalid & awready);
     m.next(is_judged, begins);
 
     let bid = m.reg("s_axi_bid", ID_BITS);
@@ -75,15 +59,11 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
     // Refused for what it is, or because the core is at work; neither while its words are written.
     let [is_refused, is_busy] = ["is_refused", "is_busy"].map(|name| m.reg(name, 1));
 
-    let wvalid = m.input("s_axi_wvalid", 1);
-    m.output("s_axi_wready", takes_words);
-    let wdata = m.input("s_axi_wdata", WORD_BITS);
-    let wstrb = m.input("s_axi_wstrb", WORD_BYTES);
-    let wlast = m.input("s_axi_wlast", 1);
+    let (wvalid, beat) = ports.host.write_data.declare(m, &WORD_BITS, takes_words);
     let takes = m.wire("takes", takes_words & wvalid);
     let at_end = m.wire("at_end", left.is_zero());
     let ends = m.wire("ends", takes & at_end);
-    let is_bad = m.wire("is_bad", !wstrb.all() | (wlast ^ at_end));
+    let is_bad = m.wire("is_bad", !beat.strobes.all() | (beat.last ^ at_end));
     m.next(takes_words, is_judged | (takes_words & !ends));
     m.next_if(index, begins | takes, begins.mux(index_of(burst.address, index_bits), index.add_lit(1)));
     m.next_if(left, begins | takes, begins.mux(burst.length, left.sub_lit(1)));
@@ -96,22 +76,18 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
 
     let write_valid = m.reg_reset("write_valid", 1, 0);
     m.next(write_valid, takes & !(is_bad | (is_busy | is_unfit)));
-    let written = [("index", index.expr()), ("data", wdata)].map(|(name, value)| {
-        let register = m.reg(&format!("write_{name}"), value.width());
-        m.next(register, value);
-        (name, register)
-    });
-    m.pulse_out("write", "valid", write_valid, written);
+    let written = WindowWrite { index: index.expr(), data: beat.data };
+    let written = written.register(m, &index_bits, "write_", bit(true));
+    ports.write.drive(m, &index_bits, write_valid, written);
 
-    m.output("s_axi_bvalid", bvalid);
-    let bready = m.input("s_axi_bready", 1);
-    m.next(bvalid, ends | (bvalid & !bready));
-    m.output("s_axi_bid", bid);
-    let is_error = m.reg("is_error", 1);
-    m.next_if(is_error, ends, spoiled | is_busy);
-    m.output("s_axi_bresp", is_error.mux(SLAVE_ERROR.expr(), OKAY.expr()));
-    event_out(m, "refused_busy", ends & is_busy);
-    m.output("occupied", is_judged | takes_words);
+    ports.host.write_answer.drive_with(m, &(), bvalid, |m, bready| {
+        m.next(bvalid, ends | (bvalid & !bready));
+        let is_error = m.reg("is_error", 1);
+        m.next_if(is_error, ends, spoiled | is_busy);
+        WriteAnswer { id: bid.expr(), response: is_error.mux(SLAVE_ERROR.expr(), OKAY.expr()) }
+    });
+    ports.refused_busy.event(m, ends & is_busy);
+    ports.occupied.drive_word(m, is_judged | takes_words);
     m.wire("refused_write", ends & spoiled)
 }
 
@@ -122,20 +98,17 @@ fn index_of(address: Expr, index_bits: u32) -> Expr {
 /// The read half, which answers all with errors; returns where a burst begins.
 fn reads(m: &mut Module) -> Expr {
     let rvalid = m.reg_reset("s_axi_rvalid", 1, 0);
-    let burst = Address::input(m, "s_axi_ar", !rvalid);
-    let begins = m.wire("read_begins", burst.valid & !rvalid);
-    m.output("s_axi_rvalid", rvalid);
-    let rready = m.input("s_axi_rready", 1);
-    let rid = m.reg("s_axi_rid", ID_BITS);
-    m.next_if(rid, begins, burst.id);
-    let left = m.reg("beats_left", LENGTH_BITS);
-    let takes = m.wire("beat_goes", rvalid & rready);
-    m.next_if(left, begins | takes, begins.mux(burst.length, left.sub_lit(1)));
-    let at_end = m.wire("reads_last", left.is_zero());
-    m.next(rvalid, begins | (rvalid & !(takes & at_end)));
-    m.output("s_axi_rid", rid);
-    m.output("s_axi_rdata", lit(WORD_BITS, 0));
-    m.output("s_axi_rresp", SLAVE_ERROR.expr());
-    m.output("s_axi_rlast", at_end);
+    let (arvalid, burst) = Ports::ALL.host.read_address.declare(m, &(), !rvalid);
+    let begins = m.wire("read_begins", arvalid & !rvalid);
+    Ports::ALL.host.read_data.drive_with(m, &WORD_BITS, rvalid, |m, rready| {
+        let rid = m.reg("s_axi_rid", ID_BITS);
+        m.next_if(rid, begins, burst.id);
+        let left = m.reg("beats_left", LENGTH_BITS);
+        let takes = m.wire("beat_goes", rvalid & rready);
+        m.next_if(left, begins | takes, begins.mux(burst.length, left.sub_lit(1)));
+        let at_end = m.wire("reads_last", left.is_zero());
+        m.next(rvalid, begins | (rvalid & !(takes & at_end)));
+        ReadBeat { id: rid.expr(), data: lit(WORD_BITS, 0), response: SLAVE_ERROR.expr(), last: at_end }
+    });
     begins
 }

@@ -2,6 +2,8 @@
 
 pub(crate) mod datapath;
 mod documents;
+pub(crate) mod operator;
+pub(crate) mod passage;
 pub(crate) mod ports;
 pub(crate) mod queue;
 pub(crate) mod sliced;

@@ -5,7 +5,7 @@
 
 use std::ops::Deref;
 
-use pointcore_contract::{Domain, Field, Record, Visit, Visitor, Word, fields};
+use pointcore_contract::{Domain, Field, Record, Visitor, Word, fields};
 use rtl::{Expr, Instance, Module, Reg, cat, lit};
 
 /// The terms of hardware: expressions.
@@ -14,31 +14,6 @@ pub(crate) struct Wires;
 
 impl Domain for Wires {
     type Bits<W: Word> = Expr;
-}
-
-/// The terms of layouts: a value's place among its record's fields, if it is one of the layout.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Places;
-
-impl Domain for Places {
-    type Bits<W: Word> = Option<usize>;
-}
-
-/// Numbers the values of a record.
-struct Counter(usize);
-
-impl Visitor<Places> for Counter {
-    fn bits<W: Word>(&mut self, value: &mut Option<usize>) {
-        *value = Some(self.0);
-        self.0 += 1;
-    }
-}
-
-/// The places of a record's fields.
-pub(crate) fn places<R: Record>(config: &R::Config) -> R::In<Places> {
-    let mut record = <R::In<Places>>::default();
-    record.visit(config, &mut Counter(0));
-    record
 }
 
 /// A record of the contract in hardware.
@@ -138,12 +113,9 @@ pub(crate) trait Bundle: Record<Domain = Wires> {
     /// Registers `<prefix><field>` that take the values at clock edges where `enable` is set.
     fn register(self, m: &mut Module, config: &Self::Config, prefix: &str, enable: impl Into<Expr>) -> Self {
         let enable = enable.into();
-        let registers = self.named(config).map(|(name, value)| {
-            let register = m.reg(&format!("{prefix}{name}"), value.width());
-            m.next_if(register, enable, value);
-            register.expr()
-        });
-        Self::from_values(config, registers)
+        let registers = Registers::<Self>::new(m, config, prefix);
+        registers.next_if(m, config, enable, self);
+        registers.record
     }
 }
 
@@ -161,11 +133,15 @@ pub(crate) struct Registers<B> {
 }
 
 impl<B: Bundle> Registers<B> {
-    /// Registers `<prefix><field>`.
+    /// Registers `<prefix><field>`, which the Verilog explains in the record's words.
     pub fn new(m: &mut Module, config: &B::Config, prefix: &str) -> Self {
-        let layout = fields::<B>(config);
-        let registers: Vec<_> =
-            layout.iter().map(|field| m.reg(&format!("{prefix}{}", field.name), field.width)).collect();
+        let register = |field: Field| {
+            let name = format!("{prefix}{}", field.name);
+            let register = m.reg(&name, field.width);
+            m.document(&name, field.doc);
+            register
+        };
+        let registers: Vec<_> = fields::<B>(config).into_iter().map(register).collect();
         Self { record: B::from_values(config, registers.iter().map(|register| register.expr())), registers }
     }
 

@@ -1,7 +1,11 @@
 //! The bus units pass through every tool.
 
-use pointcore_contract::bus::{Config, packets, registers as maps};
-use pointcore_contract::{Field, search, splat};
+use pointcore_contract::bus::Config;
+use pointcore_contract::bus::packets::Packet;
+use pointcore_contract::bus::registers::{ErrorSources, SearchRegisters, SplatRegisters};
+use pointcore_contract::search::records::{CachedQuery, CachedResult, Points};
+use pointcore_contract::splat::records::{Fragment, Pixel, Splat};
+use pointcore_contract::{Record, search, splat};
 use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search as top_b, splat as top_a, window, writer};
 use pointcore_hdl::compiler::Options;
 use rtl::{Module, elaborate, elaborate_beside};
@@ -14,37 +18,34 @@ fn accepts(module: &Module) {
     lint(&elaborate(module).unwrap_or_else(|error| panic!("{error}")));
 }
 
-/// The packets of both cores, of few fields and of many.
-fn packet_fields() -> Vec<Vec<Field>> {
-    let full = splat::Config { continuous: 13, cardinal: 1, ..splat::Config::default() };
-    let [query, result] = packets::query_and_result(&search::Config::default());
-    let splat = packets::splat(&full).into_iter().take(2).map(|packet| packet.fields);
-    splat.chain([query, result]).collect()
+fn accepts_packets<R: Packet>(config: &R::Config) {
+    for bits in [32, 64, 512] {
+        accepts(&packet_in::module::<R>(config, bits));
+        accepts(&packet_out::module::<R>(config, bits));
+    }
 }
 
 #[test]
 fn tools_accept_the_packet_units() {
-    for fields in packet_fields() {
-        let query_range = packets::query_range(&search::Config::default());
-        let has_k = fields.iter().any(|field| field.name == query_range.name);
-        let range = has_k.then_some(&query_range);
-        for bits in [32, 64, 512] {
-            accepts(&packet_in::module(&fields, bits, range));
-            accepts(&packet_out::module(&fields, bits));
-        }
+    let full = splat::Config { continuous: 13, cardinal: 1, ..splat::Config::default() };
+    accepts_packets::<Splat>(&full);
+    accepts_packets::<Fragment>(&full);
+    accepts_packets::<CachedQuery>(&search::Config::default());
+    accepts_packets::<CachedResult>(&search::Config::default());
+}
+
+fn accepts_memory<R: Record>(config: &R::Config, records_max: u32) {
+    for bits in [32, 64, 512] {
+        accepts(&reader::module::<R>(config, bits, records_max));
+        accepts(&writer::module::<R>(config, bits));
     }
 }
 
 #[test]
 fn tools_accept_the_memory_units() {
-    let pixel = packets::splat(&splat::Config::default()).remove(2).fields;
-    let points = packets::points(&search::Config { lanes: 8, ..search::Config::default() });
-    for bits in [32, 64, 512] {
-        for (fields, records) in [(&pixel, 64), (&points, 3), (&pixel, 1)] {
-            accepts(&reader::module(fields, bits, records));
-            accepts(&writer::module(fields, bits));
-        }
-    }
+    accepts_memory::<Pixel>(&splat::Config::default(), 64);
+    accepts_memory::<Points>(&search::Config { lanes: 8, ..search::Config::default() }, 3);
+    accepts_memory::<Pixel>(&splat::Config::default(), 1);
     for index_bits in [2, 15] {
         accepts(&window::module(index_bits));
     }
@@ -52,10 +53,11 @@ fn tools_accept_the_memory_units() {
 
 #[test]
 fn tools_accept_the_registers() {
+    let sources = |busy, burst, memory| ErrorSources { busy, burst, packet: 1, memory };
     let external = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
-    accepts(&registers::module(&maps::splat(&splat::Config::default()), [0, 1, 1, 2]));
-    accepts(&registers::module(&maps::search(&search::Config::default()), [1, 2, 1, 1]));
-    accepts(&registers::module(&maps::search(&external), [0, 2, 1, 2]));
+    accepts(&registers::module::<SplatRegisters>(&splat::Config::default(), sources(0, 1, 2)));
+    accepts(&registers::module::<SearchRegisters>(&search::Config::default(), sources(1, 2, 1)));
+    accepts(&registers::module::<SearchRegisters>(&external, sources(0, 2, 2)));
 }
 
 /// The file of the top beside that of its core: no module is in both, none is missing, and the core's is as it is alone.

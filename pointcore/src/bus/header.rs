@@ -1,7 +1,7 @@
 //! `registers.h`: the same for C and C++.
 
 use super::Interface;
-use pointcore_contract::bus::packets::Packet;
+use pointcore_contract::bus::packets::NamedRecord;
 use pointcore_contract::bus::{Access, Layout};
 use std::fmt::Write;
 
@@ -55,7 +55,7 @@ pub(super) fn document(interface: &Interface) -> String {
 }
 
 /// A record as a struct, its padding named so that nothing is left to the compiler.
-fn structure(core: &str, packet: &Packet, out: &mut String) {
+fn structure(core: &str, packet: &NamedRecord, out: &mut String) {
     let name = format!("{core}_{}", packet.name);
     let _ = writeln!(out, "\n/* {} */\nstruct {name} {{", packet.doc);
     let (mut end, mut gaps) = (0, 0);

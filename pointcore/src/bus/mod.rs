@@ -4,8 +4,8 @@ mod header;
 mod markdown;
 
 use crate::generated::GenerateError;
-use pointcore_contract::bus::packets::{self, Packet};
-use pointcore_contract::bus::registers;
+use pointcore_contract::bus::packets::{self, NamedRecord};
+use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters, SplatRegisters};
 use pointcore_contract::bus::{Config, Register};
 use pointcore_contract::{search, splat};
 use pointcore_hdl::bus;
@@ -34,21 +34,21 @@ pub struct Interface {
     core: Kind,
     config: Config,
     registers: Vec<Register>,
-    packets: Vec<Packet>,
+    packets: Vec<NamedRecord>,
 }
 
 impl Interface {
     /// The renderer's.
     #[must_use]
     pub fn splat(config: &splat::Config) -> Self {
-        let (registers, packets) = (registers::splat(config), packets::splat(config));
+        let (registers, packets) = (SplatRegisters::registers(config), packets::splat(config));
         Self { core: Kind::Splat, config: config.bus, registers, packets }
     }
 
     /// The search core's.
     #[must_use]
     pub fn search(config: &search::Config) -> Self {
-        let (registers, packets) = (registers::search(config), packets::search(config));
+        let (registers, packets) = (SearchRegisters::registers(config), packets::search(config));
         Self { core: Kind::Search, config: config.bus, registers, packets }
     }
 

@@ -2,16 +2,20 @@
 
 use std::collections::VecDeque;
 
-use pointcore_contract::Field;
-use pointcore_contract::bus::registers::{CONTROL, STATUS};
+use pointcore_contract::bus::axi::{
+    BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, WriteBeat, WriteMaster,
+};
+use pointcore_contract::bus::config::TREE_WORD_BITS;
+use pointcore_contract::bus::packets::Packet;
+use pointcore_contract::bus::registers::{CONTROL, ERRORS, STATUS};
 use pointcore_contract::bus::{Config, Register};
+use pointcore_contract::{self as contract, Words, read};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use rtl::Module;
 
-use super::{Bench, Drain, Feed, bytes, stalls, words};
+use super::{Bench, Carrier, Drain, Feed, bytes, stalls, words};
 
 const SLAVE_ERROR: u64 = 2;
-const ADDRESS_FIELDS: [&str; 5] = ["id", "addr", "len", "size", "burst"];
 /// Bits of `control`.
 pub const START: u32 = 1;
 pub const RESET: u32 = 2;
@@ -23,22 +27,22 @@ struct Reads {
 }
 
 impl Reads {
-    fn new(bench: &Bench, prefix: &str, random: &mut fastrand::Rng) -> Self {
-        let address = Drain::new(bench, &format!("{prefix}_ar"), &ADDRESS_FIELDS, stalls(random));
+    fn new(bench: &Bench, bus: ReadMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
+        let address = Drain::new(bench, bus.address, &(), stalls(random));
         let pattern = stalls(random);
-        let data = Feed::new(bench, &format!("{prefix}_r"), &["id", "data", "resp", "last"], random, pattern);
+        let data = Feed::new(bench, bus.data, &widths.memory_bits, random, pattern);
         Self { address, data }
     }
 
     fn step(&mut self, bench: &Bench, memory: &[u8], beat_bytes: usize) {
         self.data.taken(bench);
         let Some(burst) = self.address.taken(bench) else { return };
-        let [_, first, length] = [0, 1, 2].map(|field| burst[field] as usize);
-        for beat in 0..=length {
-            let place = first + beat * beat_bytes;
-            let mut item = vec![burst[0]];
+        let BurstAddress { id, address, length, .. } = read(&(), &burst);
+        for beat in 0..=usize::from(length) {
+            let place = address as usize + beat * beat_bytes;
+            let mut item = vec![id.into()];
             item.extend(words(&memory[place..place + beat_bytes]));
-            item.extend([0, u64::from(beat == length)]);
+            item.extend([0, u64::from(beat == usize::from(length))]);
             self.data.items.push_back(item);
         }
     }
@@ -56,18 +60,18 @@ struct Writes {
 }
 
 impl Writes {
-    fn new(bench: &Bench, prefix: &str, random: &mut fastrand::Rng) -> Self {
-        let address = Drain::new(bench, &format!("{prefix}_aw"), &ADDRESS_FIELDS, stalls(random));
-        let data = Drain::new(bench, &format!("{prefix}_w"), &["data", "strb", "last"], stalls(random));
+    fn new(bench: &Bench, bus: WriteMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
+        let address = Drain::new(bench, bus.address, &(), stalls(random));
+        let data = Drain::new(bench, bus.data, &widths.memory_bits, stalls(random));
         let pattern = stalls(random);
-        let answer = Feed::new(bench, &format!("{prefix}_b"), &["id", "resp"], random, pattern);
+        let answer = Feed::new(bench, bus.answer, &(), random, pattern);
         let (bursts, packets, gathered) = (VecDeque::new(), VecDeque::new(), vec![]);
         Self { address, data, answer, bursts, packets, gathered }
     }
 
     fn step(&mut self, bench: &Bench, memory: &mut [u8], beat_bytes: usize) {
         self.answer.taken(bench);
-        self.bursts.extend(self.address.taken(bench).map(|burst| burst[1] as usize));
+        self.bursts.extend(self.address.taken(bench).map(|burst| read::<BurstAddress>(&(), &burst).address as usize));
         if let Some(beat) = self.data.taken(bench) {
             self.gathered.extend(bytes(&beat, beat_bytes));
             if beat[beat.len() - 1] == 1 {
@@ -83,80 +87,85 @@ impl Writes {
 }
 
 /// The host.
-pub struct Host {
+pub struct Host<I: Packet, O: Packet> {
     bench: Bench,
     widths: Config,
     map: Vec<Register>,
     register_write: (Feed, Feed, Drain),
     register_read: (Feed, Drain),
     packets_in: Feed,
-    sender: PacketOut,
+    config: I::Config,
+    sender: PacketOut<I>,
     packets_out: Drain,
-    receiver: PacketIn,
+    receiver: PacketIn<O>,
     reads: Vec<Reads>,
     writes: Option<Writes>,
     window: Option<(Feed, Feed, Drain)>,
     /// Bytes behind all memory ports.
     pub memory: Vec<u8>,
     /// Packets that came.
-    pub received: Vec<Vec<u64>>,
+    pub received: Vec<O>,
+}
+
+/// What feeds a carrier, with a pattern of stalls of its own.
+fn feed<C: Carrier>(bench: &Bench, carrier: C, config: &C::Config, random: &mut fastrand::Rng) -> Feed {
+    let pattern = stalls(random);
+    Feed::new(bench, carrier, config, random, pattern)
 }
 
 /// What a top has around it.
-pub struct Around<'a> {
+pub struct Around {
     /// Its registers.
     pub map: Vec<Register>,
-    /// Its streams of packets: names and fields, in and out.
-    pub packets: [(&'a str, Vec<Field>); 2],
+    /// Where they are reached.
+    pub registers: RegisterBus,
+    /// Its streams of packets.
+    pub packets: (PacketBusIn, PacketBusOut),
     /// Its memory ports that read.
-    pub reads: &'a [&'a str],
+    pub reads: Vec<ReadMaster>,
     /// Its memory port that writes.
-    pub writes: Option<&'a str>,
-    /// It has a window for the tree.
-    pub window: bool,
+    pub writes: Option<WriteMaster>,
+    /// Its window for the tree.
+    pub window: Option<Slave>,
     /// Bytes of memory.
     pub memory: usize,
 }
 
-impl Host {
-    pub fn new(top: Module, widths: Config, around: Around, seed: u64) -> Self {
+impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, Config = C>> Host<I, O> {
+    pub fn new(top: Module, config: &C, widths: Config, around: Around, seed: u64) -> Self {
         let mut random = fastrand::Rng::with_seed(seed);
         let bench = Bench::new(top, seed);
         let random = &mut random;
-        let feed = |prefix: &str, fields: &[&str], random: &mut fastrand::Rng| {
-            let pattern = stalls(random);
-            Feed::new(&bench, prefix, fields, random, pattern)
-        };
-        let drain = |prefix: &str, fields: &[&str], random: &mut fastrand::Rng| {
-            Drain::new(&bench, prefix, fields, stalls(random))
-        };
+        let host = around.registers;
         let register_write = (
-            feed("s_axil_aw", &["addr"], random),
-            feed("s_axil_w", &["data", "strb"], random),
-            drain("s_axil_b", &["resp"], random),
+            feed(&bench, host.write_address, &(), random),
+            feed(&bench, host.write_data, &(), random),
+            Drain::new(&bench, host.write_answer, &(), stalls(random)),
         );
-        let register_read = (feed("s_axil_ar", &["addr"], random), drain("s_axil_r", &["data", "resp"], random));
-        let [(name_in, fields_in), (name_out, fields_out)] = &around.packets;
-        let packets_in = feed(&format!("{name_in}_t"), &["data", "last"], random);
-        let packets_out = drain(&format!("{name_out}_t"), &["data", "last"], random);
-        let window = around.window.then(|| {
+        let read_address = feed(&bench, host.read_address, &(), random);
+        let register_read = (read_address, Drain::new(&bench, host.read_value, &(), stalls(random)));
+        let (bus_in, bus_out) = around.packets;
+        let packets_in = feed(&bench, bus_in.beats, &widths.stream_bits, random);
+        let packets_out = Drain::new(&bench, bus_out.beats, &widths.stream_bits, stalls(random));
+        let window = around.window.map(|window| {
             (
-                feed("s_axi_aw", &ADDRESS_FIELDS, random),
-                feed("s_axi_w", &["data", "strb", "last"], random),
-                drain("s_axi_b", &["id", "resp"], random),
+                feed(&bench, window.write_address, &(), random),
+                feed(&bench, window.write_data, &TREE_WORD_BITS, random),
+                Drain::new(&bench, window.write_answer, &(), stalls(random)),
             )
         });
-        let reads = around.reads.iter().map(|prefix| Reads::new(&bench, prefix, random)).collect();
-        let writes = around.writes.map(|prefix| Writes::new(&bench, prefix, random));
+        let reads = around.reads.into_iter().map(|bus| Reads::new(&bench, bus, widths, random)).collect();
+        let writes = around.writes.map(|bus| Writes::new(&bench, bus, widths, random));
         Self {
             widths,
             map: around.map,
             register_write,
             register_read,
             packets_in,
-            sender: PacketOut::new(fields_in, widths.stream_bits),
+            config: config.clone(),
+            sender: PacketOut::new(config, widths.stream_bits),
             packets_out,
-            receiver: PacketIn::new(fields_out, widths.stream_bits, None),
+            receiver: PacketIn::new(config, widths.stream_bits),
             reads,
             writes,
             window,
@@ -243,7 +252,7 @@ impl Host {
 
     /// Sends a packet, some beats short of its end.
     pub fn send(&mut self, record: &[u64], missing: usize) {
-        let mut beats = self.sender.beats(record);
+        let mut beats = self.sender.beats(read(&self.config, record));
         beats.truncate(beats.len() - missing);
         let count = beats.len();
         for (place, (data, _)) in beats.into_iter().enumerate() {
@@ -261,8 +270,10 @@ impl Host {
     /// Writes a word of the tree; returns whether it was accepted.
     pub fn write_tree(&mut self, index: u64, word: u64) -> bool {
         let (address, data, _) = self.window.as_mut().expect("the core has a window");
-        address.items.push_back(vec![5, index * 8, 0, 3, 1]);
-        data.items.push_back(vec![word, 0xff, 1]);
+        let burst = BurstAddress { id: 5, address: index as u32 * 8, length: 0, size: 3, burst: 1 };
+        address.items.push_back(contract::words(&(), burst));
+        let beat = WriteBeat { data: word, strobes: 0xff, last: true };
+        data.items.push_back(contract::words(&TREE_WORD_BITS, beat));
         loop {
             self.step();
             let (address, data, answer) = self.window.as_mut().expect("the core has a window");
@@ -276,7 +287,7 @@ impl Host {
 
     /// Whether nothing went wrong so far.
     pub fn expect_errors(&mut self, expected: [u32; 5]) {
-        let names = ["access_errors", "busy_errors", "burst_errors", "packet_errors", "memory_errors"];
+        let names = ERRORS.map(|(_, name, _)| name);
         assert_eq!(names.map(|name| self.read(name)), expected, "{names:?}");
     }
 }

@@ -4,6 +4,9 @@ pub mod host;
 
 use std::collections::VecDeque;
 
+use pointcore_contract::bus::{ChannelIn, ChannelOut, VALID};
+use pointcore_contract::unit::{In, Out, READY};
+use pointcore_contract::{Field, Record, fields};
 use pointcore_tb::lockstep::{Stall, Stalls};
 use pointcore_tb::verilated::{Direction, Port, VerilatedModel};
 use rtl::{Module, cat, elaborate};
@@ -106,6 +109,49 @@ pub fn stalls(random: &mut fastrand::Rng) -> Stalls {
     Stalls::new(pattern, random.fork())
 }
 
+/// Ports with `valid` and `ready`, as the contract has them.
+pub trait Carrier {
+    /// What the fields depend on.
+    type Config;
+
+    /// The name of a port.
+    fn port(&self, part: &str) -> String;
+
+    /// What is carried.
+    fn fields(config: &Self::Config) -> Vec<Field>;
+}
+
+macro_rules! carriers {
+    ($($carrier:ident),*) => {
+        $(impl<R: Record> Carrier for $carrier<R> {
+            type Config = R::Config;
+
+            fn port(&self, part: &str) -> String {
+                $carrier::port(self, part)
+            }
+
+            fn fields(config: &R::Config) -> Vec<Field> {
+                fields::<R>(config)
+            }
+        })*
+    };
+}
+
+carriers!(In, Out, ChannelIn, ChannelOut);
+
+/// The places of a carrier's ports: `valid`, `ready`, fields.
+fn places<C: Carrier>(
+    bench: &Bench,
+    carrier: &C,
+    config: &C::Config,
+    forward: Direction,
+) -> (usize, usize, Vec<usize>) {
+    let backward = if forward == Direction::Input { Direction::Output } else { Direction::Input };
+    let fields = C::fields(config);
+    let fields = fields.iter().flat_map(|field| bench.places(&carrier.port(&field.name), forward)).collect();
+    (bench.places(&carrier.port(VALID), forward)[0], bench.places(&carrier.port(READY), backward)[0], fields)
+}
+
 /// What flows into a unit.
 pub struct Feed {
     valid: usize,
@@ -120,13 +166,17 @@ pub struct Feed {
 }
 
 impl Feed {
-    /// Into the channel `<prefix>valid`, `<prefix>ready`, `<prefix><field>`.
-    pub fn new(bench: &Bench, prefix: &str, fields: &[&str], random: &mut fastrand::Rng, stalls: Stalls) -> Self {
-        let place = |name: &str, direction| bench.places(&format!("{prefix}{name}"), direction);
-        let fields: Vec<usize> = fields.iter().flat_map(|field| place(field, Direction::Input)).collect();
+    /// Into these ports.
+    pub fn new<C: Carrier>(
+        bench: &Bench,
+        carrier: C,
+        config: &C::Config,
+        random: &mut fastrand::Rng,
+        stalls: Stalls,
+    ) -> Self {
+        let (valid, ready, fields) = places(bench, &carrier, config, Direction::Input);
         let inputs = bench.model.library().inputs();
         let limits = fields.iter().map(|&field| u64::MAX >> (WORD_BITS - inputs[field].width)).collect();
-        let (valid, ready) = (place("valid", Direction::Input)[0], place("ready", Direction::Output)[0]);
         let noise = random.fork();
         Self { valid, ready, fields, limits, stalls, noise, offering: false, items: VecDeque::new() }
     }
@@ -162,11 +212,9 @@ pub struct Drain {
 }
 
 impl Drain {
-    /// Out of the channel `<prefix>valid`, `<prefix>ready`, `<prefix><field>`.
-    pub fn new(bench: &Bench, prefix: &str, fields: &[&str], stalls: Stalls) -> Self {
-        let place = |name: &str, direction| bench.places(&format!("{prefix}{name}"), direction);
-        let fields = fields.iter().flat_map(|field| place(field, Direction::Output)).collect();
-        let (valid, ready) = (place("valid", Direction::Output)[0], place("ready", Direction::Input)[0]);
+    /// Out of these ports.
+    pub fn new<C: Carrier>(bench: &Bench, carrier: C, config: &C::Config, stalls: Stalls) -> Self {
+        let (valid, ready, fields) = places(bench, &carrier, config, Direction::Output);
         Self { valid, ready, fields, stalls, offered: None }
     }
 

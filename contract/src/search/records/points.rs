@@ -51,7 +51,7 @@ pub struct Beat {
     pub points: Points,
 }
 
-/// A beat of squared distances; lane `i` is the point `address·lanes + i`.
+/// A beat of squared distances; lane `i` is the point `address * lanes + i`.
 #[record(config: Config)]
 pub struct Candidates {
     /// Thread and address.

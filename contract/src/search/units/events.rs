@@ -1,7 +1,7 @@
 //! What units did in the last cycle: the counters behind the bound of a run and the stalls by cause.
 
+use crate::record;
 use crate::search::Config;
-use crate::{fields, record};
 
 /// What the priority queues did.
 #[record(config: Config)]
@@ -73,10 +73,4 @@ pub struct Events {
     /// Of the neighbor cache.
     #[when(config.neighbor_cache > 0)]
     pub neighbor_cache: NeighborCacheEvents,
-}
-
-/// The names of a core's events.
-#[must_use]
-pub fn events(config: &Config) -> Vec<String> {
-    fields::<Events>(config).into_iter().map(|field| field.name).collect()
 }

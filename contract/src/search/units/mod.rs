@@ -7,7 +7,7 @@ mod tree;
 mod whole;
 
 pub use caches::{neighbor_cache, point_cache, tree_cache};
-pub use events::{Events, NeighborCacheEvents, PointCacheEvents, QueueEvents, TreeCacheEvents, events};
+pub use events::{Events, NeighborCacheEvents, PointCacheEvents, QueueEvents, TreeCacheEvents};
 pub use queries::{leaf, queue, sieve, threads};
 pub use tree::{recursion, stack, traversal};
 pub use whole::top;

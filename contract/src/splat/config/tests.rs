@@ -1,4 +1,6 @@
 use super::*;
+use crate::places;
+use crate::splat::records::{Uniforms, uniform_formats};
 
 #[test]
 fn default_is_valid() {
@@ -50,8 +52,9 @@ fn the_rasterizer_computes_in_its_own_format_or_that_of_geometry() {
         let text = toml::to_string(&config).unwrap();
         assert!(text.contains(&format!("rasterizer = \"{name}\"")), "{text}");
         assert_eq!(toml::from_str(&text), Ok(config.clone()));
-        assert_eq!(config.uniform_format("filter_scale"), scale);
-        assert_eq!(config.uniform_format("filter_radius"), UniformFormat::Float(Format::F32));
+        let formats: Vec<_> = uniform_formats(&config).collect();
+        assert_eq!(formats[places::<Uniforms>(&config).filter_scale.unwrap()], scale);
+        assert_eq!(formats[places::<Uniforms>(&config).filter_radius.unwrap()], UniformFormat::Float(Format::F32));
     }
 }
 

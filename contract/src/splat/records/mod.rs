@@ -14,7 +14,7 @@ pub use copy::{HeapEntry, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Til
 pub use footprint::{Band, DepthPlane, Footprint};
 pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
-pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport};
+pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, uniform_formats};
 
 use super::config::{ATTRIBUTES_MAX, Config, TILE_PIXELS, TILE_SIZE, index_bits};
 use crate::record;

@@ -1,7 +1,7 @@
 //! The uniform registers: constants of a frame, written before its first splat.
 
-use crate::record;
-use crate::splat::Config;
+use crate::splat::{Config, UniformFormat};
+use crate::{fields, places, record};
 
 /// Bits of a uniform register's address.
 pub const UNIFORM_ADDRESS_BITS: u32 = 5;
@@ -57,7 +57,7 @@ pub struct Uniforms {
     /// Near plane.
     #[bits(config.geometry.width())]
     pub near_plane: u32,
-    /// What ε is made of.
+    /// What epsilon is made of.
     pub epsilon: EpsilonScale,
     /// Radius of the screen filter (px).
     #[bits(config.geometry.width())]
@@ -65,6 +65,16 @@ pub struct Uniforms {
     /// The reciprocal of its square.
     #[bits(config.filter_scale_format().width())]
     pub filter_scale: u32,
+}
+
+/// The format of each uniform register, in their order.
+pub fn uniform_formats(config: &Config) -> impl Iterator<Item = UniformFormat> {
+    let filter_scale = places::<Uniforms>(config).filter_scale;
+    let format = move |place| match Some(place) == filter_scale {
+        true => config.filter_scale_format(),
+        false => UniformFormat::Float(config.geometry),
+    };
+    (0..fields::<Uniforms>(config).len()).map(format)
 }
 
 /// A write to a uniform register.

@@ -1,7 +1,7 @@
 //! What units did in the last cycle, for utilisation and stalls by cause.
 
+use crate::record;
 use crate::splat::Config;
-use crate::{fields, record};
 
 /// What the rasterizer did.
 #[record(config: Config)]
@@ -38,10 +38,4 @@ pub struct Events {
     pub rasterizer: RasterizerEvents,
     /// The accumulator.
     pub accumulator: AccumulatorEvents,
-}
-
-/// The names of the core's events.
-#[must_use]
-pub fn events(config: &Config) -> Vec<String> {
-    fields::<Events>(config).into_iter().map(|field| field.name).collect()
 }

@@ -7,7 +7,7 @@ mod splats;
 mod whole;
 
 pub use copies::{heap, reorder, splitter, tile_cache};
-pub use events::{AccumulatorEvents, Events, RasterizerEvents, events};
+pub use events::{AccumulatorEvents, Events, RasterizerEvents};
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
 pub use splats::{setup, transform};
 pub use whole::top;

@@ -31,7 +31,7 @@ pub struct Setup {
     /// From camera space to pixels and depths.
     #[port("")]
     viewport: Input<Viewport>,
-    /// What ε is made of.
+    /// What epsilon is made of.
     #[port("")]
     epsilon: Input<EpsilonScale>,
     /// Radius of the screen filter (px).

@@ -1,19 +1,23 @@
 //! The reconstruction buffer in memory (`docs/interfaces.md`): the renderer's reads of tiles and writes of pixels, in their order; proved in
 //! `formal/splat_buffer.sv`.
 
-use pointcore_contract::Field;
-use pointcore_contract::bus::{Bus, Layout};
+use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::units::{
+    Addressed, ReadRequest, reader::Ports as ReaderPorts, writer::Ports as WriterPorts,
+};
+use pointcore_contract::unit::{In, Out};
+use pointcore_contract::{Record, record};
 
-use super::wiring::{export, feed, place};
-use crate::bus::reader::{self, Request};
-use crate::bus::{ADDRESS_BITS, layout, writer};
-use crate::units::wires::Bundle;
-use rtl::{Expr, Instance, Module, Stream, address_width, cat, lit};
+use super::wiring::{feed, place};
+use crate::bus::{ADDRESS_BITS, reader, writer};
+use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, WordPort, export};
+use crate::units::wires::{Bundle, Wired, Wires, layout};
+use rtl::{Expr, Instance, Module, address_width, cat, lit};
 
 /// What lies in memory, and how memory is reached.
-pub(super) struct Buffer<'a> {
-    /// A pixel's fields.
-    pub pixel: &'a [Field],
+pub(super) struct Buffer<'a, P: Record> {
+    /// What a pixel depends on.
+    pub config: &'a P::Config,
     /// Pixels of a tile, a power of two.
     pub tile_pixels: u32,
     /// Bits of a beat.
@@ -26,42 +30,84 @@ pub(super) struct Buffer<'a> {
     pub writes: Instance,
 }
 
-impl Buffer<'_> {
-    /// Leads reads and writes to memory. A read sees every write before it: it waits until all are answered, and no other is taken
-    /// meanwhile.
-    pub fn order(&self, m: &mut Module, read: &Stream, write: &Stream) {
-        let stride_bits = Layout::of(self.pixel).stride(self.memory_bits).ilog2();
-        let writer_idle = m.out(self.writes, "idle");
+/// A pixel with its place.
+#[derive(Clone, Copy)]
+pub(super) struct Placed<B> {
+    /// Its tile.
+    pub tile: Expr,
+    /// Which of the tile's it is.
+    pub pixel: Expr,
+    /// What it holds.
+    pub value: B,
+}
+
+impl<P: Record> Buffer<'_, P> {
+    /// Leads reads of tiles and writes to memory. A read sees every write before it: it waits until all are answered, and no other is
+    /// taken meanwhile.
+    pub fn order(&self, m: &mut Module, read: Flow<Expr>, write: Flow<Placed<Wired<P>>>) {
+        let stride_bits = Layout::record::<P>(self.config).stride(self.memory_bits).ilog2();
+        let writer_idle = WriterPorts::<P>::ALL.idle.word_of(m, self.writes);
         let tile_bits = stride_bits + self.tile_pixels.ilog2();
-        let address = m.wire("tile_address", place(self.base, read.field("tile"), tile_bits));
-        let count = lit(self.tile_pixels.ilog2() + 1, self.tile_pixels.into());
-        let request = Request { address, records: count }.named(&self.tile_pixels);
-        feed(m, (read.valid, read.ready), (self.reads, "request"), writer_idle, request);
-        let index = cat([write.field("tile"), write.field("pixel")]);
-        let address = m.wire("pixel_address", place(self.base, index, stride_bits));
-        // Tile and pixel come before what the pixel holds.
-        let values = write.fields[2..].iter().cloned();
-        let written = std::iter::once(("address".to_owned(), address)).chain(values);
+        let address = m.wire("tile_address", place(self.base, read.record, tile_bits));
+        let records = lit(self.tile_pixels.ilog2() + 1, self.tile_pixels.into());
+        let reads = (self.reads, ReaderPorts::<P>::ALL.request);
+        let request = ReadRequest { address, records };
+        feed(m, &self.tile_pixels, (read.valid, read.ready), reads, writer_idle, request);
+        let Placed { tile, pixel, value } = write.record;
+        let address = m.wire("pixel_address", place(self.base, cat([tile, pixel]), stride_bits));
         let no_read = m.wire("no_read", !read.valid);
-        feed(m, (write.valid, write.ready), (self.writes, "in"), no_read, written);
+        let writes = (self.writes, WriterPorts::<P>::ALL.input);
+        feed(m, self.config, (write.valid, write.ready), writes, no_read, Addressed { address, record: value });
     }
+}
+
+/// Bits of a place in the buffer.
+#[derive(Clone, Copy)]
+struct PlaceBits {
+    tile: u32,
+    pixel: u32,
+}
+
+/// A tile that is read.
+#[record(bits: PlaceBits)]
+struct Tile {
+    /// Tile index.
+    #[bits(bits.tile)]
+    tile: u32,
+}
+
+/// Where a pixel lies.
+#[record(bits: PlaceBits)]
+struct PixelPlace {
+    /// Tile index.
+    #[bits(bits.tile)]
+    tile: u32,
+    /// Pixel of the tile.
+    #[bits(bits.pixel)]
+    pixel: u32,
 }
 
 /// The buffer without its core: few tiles, so many bursts and writes under way at most that a proof can go through.
 #[must_use]
-pub fn alone(pixel: &[Field], memory_bits: u32, tile_bits: u32, tile_pixels: u32, limit: u32) -> Module {
+pub fn alone<P: Record>(config: &P::Config, memory_bits: u32, tile_bits: u32, tile_pixels: u32, limit: u32) -> Module {
     let mut m = Module::new("splat_buffer", "The renderer's reconstruction buffer in memory.");
-    let reads = m.instance("reads", reader::limited(pixel, memory_bits, tile_pixels, limit));
-    let writes = m.instance("writes", writer::limited(pixel, memory_bits, limit));
-    export(&mut m, reads, Bus::ReadMaster(memory_bits), "m_axi", "m_axi");
-    export(&mut m, writes, Bus::WriteMaster(memory_bits), "m_axi", "m_axi");
+    let reads = m.instance("reads", reader::limited::<P>(config, memory_bits, tile_pixels, limit));
+    let writes = m.instance("writes", writer::limited::<P>(config, memory_bits, limit));
+    let (reader, writer) = (ReaderPorts::<P>::ALL, WriterPorts::<P>::ALL);
+    export(&mut m, &memory_bits, (reads, reader.memory), reader.memory);
+    export(&mut m, &memory_bits, (writes, writer.memory), writer.memory);
     let base = m.input("base", ADDRESS_BITS);
-    let read = m.stream_in("read", &[("tile", tile_bits)]);
-    let place = [Field::new("tile", tile_bits), Field::new("pixel", address_width(tile_pixels))];
-    let write = m.stream_in("write", &layout(&[place.as_slice(), pixel].concat()));
-    let buffer = Buffer { pixel, tile_pixels, memory_bits, base, reads, writes };
-    buffer.order(&mut m, &read, &write);
-    let data = m.stream_from(reads, "record");
-    m.stream_export("data", &data);
+    let bits = PlaceBits { tile: tile_bits, pixel: address_width(tile_pixels) };
+    let read = In::<Tile>::new("read", "valid", "Tiles wanted.").declare(&mut m, &bits);
+    // The place, then what the pixel holds.
+    let write = m.stream_in("write", &[layout::<PixelPlace>(&bits), layout::<P>(config)].concat());
+    let mut values = write.fields.iter().map(|(_, value)| *value);
+    let PixelPlace { tile, pixel } = PixelPlace::<Wires>::from_values(&bits, values.by_ref());
+    let value = <Wired<P>>::from_values(config, values);
+    let write = Flow { valid: write.valid, record: Placed { tile, pixel, value }, ready: write.ready };
+    let buffer = Buffer::<P> { config, tile_pixels, memory_bits, base, reads, writes };
+    buffer.order(&mut m, read.map(|read| read.tile), write);
+    let data = reader.record.of(&mut m, config, reads);
+    Out::<P>::new("data", "valid", "The pixels of tiles.").export(&mut m, config, data);
     m
 }

@@ -2,27 +2,36 @@
 
 use std::rc::Rc;
 
-use pointcore_contract::bus::{Bus, ports, registers as maps};
-use pointcore_contract::fields;
+use pointcore_contract::bus::registers::{ErrorInputs, ErrorSources, RegisterMap, SplatRegisters, UniformBits};
+use pointcore_contract::bus::units;
+use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, Pixel, Splat, UniformWrite};
-use pointcore_contract::splat::units::events;
 use pointcore_contract::splat::units::top::PORTS;
 
-use super::buffer::Buffer;
-use super::wiring::{export, join, report};
+use super::buffer::{Buffer, Placed};
+use super::wiring::report;
 use crate::bus::{Top, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::top;
-use crate::units::ports::{Pulse, PulseInPorts, StreamOutPorts};
-use crate::units::wires::Bundle;
+use crate::units::ports::{
+    InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, export, pipe,
+};
 use rtl::{Module, bit, cat};
 
-/// Errors from elsewhere: none of being busy, misplaced `rlast`, packets, answers to reads and writes.
-const ERROR_SOURCES: ports::ErrorSources = [0, 1, 1, 2];
+/// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
+const ERROR_SOURCES: ErrorSources = ErrorSources { busy: 0, burst: 1, packet: 1, memory: 2 };
 
-/// Builds the core on its bus; ports as in `contract::bus::ports::splat`.
+/// The ports of what is placed.
+const TOP: Ports = Ports::ALL;
+const CONTROL: units::registers::Ports<SplatRegisters> = units::registers::Ports::ALL;
+const SPLATS: units::packet_in::Ports<Splat> = units::packet_in::Ports::ALL;
+const FRAGMENTS: units::packet_out::Ports<Fragment> = units::packet_out::Ports::ALL;
+const READS: units::reader::Ports<Pixel> = units::reader::Ports::ALL;
+const WRITES: units::writer::Ports<Pixel> = units::writer::Ports::ALL;
+
+/// Builds the core on its bus; ports as in `contract::bus::units::splat_axi`.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -30,51 +39,62 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let top::Core { module: core_module, manifests } = top::core(config, options)?;
     let core_module = Rc::new(core_module);
     let bus = config.bus;
-    let map = maps::splat(config);
-    let (splat, pixel, fragment) = (fields::<Splat>(config), fields::<Pixel>(config), fields::<Fragment>(config));
     let mut m = Module::new("splat_axi", "Surface-splat renderer on AXI.");
     // First, so that its modules have the names that they have without a bus.
     let core = m.instance("core", core_module.clone());
-    let control = m.instance("registers", registers::module(&map, ERROR_SOURCES));
-    let splats = m.instance("splats", packet_in::module(&splat, bus.stream_bits, None));
-    let fragments = m.instance("fragments", packet_out::module(&fragment, bus.stream_bits));
-    let reads = m.instance("reads", reader::module(&pixel, bus.memory_bits, TILE_PIXELS));
-    let writes = m.instance("writes", writer::module(&pixel, bus.memory_bits));
-    export(&mut m, control, Bus::Registers, "s_axil", "s_axil");
-    export(&mut m, splats, Bus::StreamIn(bus.stream_bits), "s_axis", "s_axis_splat");
-    export(&mut m, fragments, Bus::StreamOut(bus.stream_bits), "m_axis", "m_axis_fragment");
-    export(&mut m, reads, Bus::ReadMaster(bus.memory_bits), "m_axi", "m_axi");
-    export(&mut m, writes, Bus::WriteMaster(bus.memory_bits), "m_axi", "m_axi");
+    let control = m.instance("registers", registers::module::<SplatRegisters>(config, ERROR_SOURCES));
+    let splats = m.instance("splats", packet_in::module::<Splat>(config, bus.stream_bits));
+    let fragments = m.instance("fragments", packet_out::module::<Fragment>(config, bus.stream_bits));
+    let reads = m.instance("reads", reader::module::<Pixel>(config, bus.memory_bits, TILE_PIXELS));
+    let writes = m.instance("writes", writer::module::<Pixel>(config, bus.memory_bits));
+    export(&mut m, &(), (control, CONTROL.host), TOP.registers);
+    export(&mut m, &bus.stream_bits, (splats, SPLATS.packets), TOP.splats);
+    export(&mut m, &bus.stream_bits, (fragments, FRAGMENTS.packets), TOP.fragments);
+    export(&mut m, &bus.memory_bits, (reads, READS.memory), TOP.reads);
+    export(&mut m, &bus.memory_bits, (writes, WRITES.memory), TOP.writes);
 
-    let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(control, name));
+    let [start, core_reset] = [CONTROL.start, CONTROL.core_reset].map(|port| port.word_of(&mut m, control));
     m.reset_by(core, core_reset);
-    m.connect(splats, "opens", start);
-    m.pipe((splats, "out"), (core, "splat"));
-    let valid = m.out(control, "uniform_valid");
-    let record = UniformWrite::shown_by(&mut m, config, control, "uniform_");
-    PORTS.uniform.feed(&mut m, config, core, Pulse { valid, record });
+    SPLATS.opens.feed_word(&mut m, splats, start);
+    pipe(&mut m, config, (splats, SPLATS.out), (core, PORTS.splat));
+    let written = CONTROL.uniform.of(&mut m, &uniform_bits(config), control);
+    let record = UniformWrite { address: written.record.address, data: written.record.data };
+    PORTS.uniform.feed(&mut m, config, core, Pulse { valid: written.valid, record });
 
-    let base = m.out(control, "buffer_base");
-    let (tile_pixels, memory_bits) = (TILE_PIXELS, bus.memory_bits);
-    let buffer = Buffer { pixel: &pixel, tile_pixels, memory_bits, base, reads, writes };
+    let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
+    let buffer =
+        Buffer::<Pixel> { config, tile_pixels: TILE_PIXELS, memory_bits: bus.memory_bits, base, reads, writes };
     let (read, write) = (PORTS.read.of(&mut m, config, core), PORTS.write.of(&mut m, config, core));
-    buffer.order(&mut m, &read.plain(config), &write.plain(config));
-    m.pipe((reads, "record"), (core, "data"));
+    let write = write.map(|placed| Placed { tile: placed.tile, pixel: placed.pixel, value: placed.value });
+    buffer.order(&mut m, read.map(|read| read.tile), write);
+    pipe(&mut m, config, (reads, READS.record), (core, PORTS.data));
 
     // The run ends when its last packet has left and memory has answered.
     let fragment = PORTS.fragment.of(&mut m, config, core);
-    fragment.into(&mut m, config, fragments, "in");
+    FRAGMENTS.input.feed(&mut m, config, fragments, fragment);
     let is_last = m.wire("is_last", fragment.transfer() & fragment.record.end);
     let has_ended = m.reg_reset("has_ended", 1, 0);
     m.next(has_ended, is_last | (has_ended & !start));
-    let [sender_idle, writer_idle] = [&fragments, &writes].map(|unit| m.out(*unit, "idle"));
-    let finished = (has_ended & !start) & (sender_idle & writer_idle);
-    m.connect(control, "finished", finished);
-    m.connect(control, "occupied", bit(false));
+    let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
+    let finished = (has_ended & !start) & (idle[0] & idle[1]);
+    CONTROL.finished.feed_word(&mut m, control, finished);
+    CONTROL.occupied.feed_word(&mut m, control, bit(false));
 
-    let [read_error, write_error] = [&reads, &writes].map(|unit| m.out(*unit, "error"));
-    m.connect(control, "memory_error", cat([write_error, read_error]));
-    join(&mut m, control, &[(reads, "misplaced", "burst_error")]);
-    report(&mut m, control, core, [splats, fragments], events(config));
+    let [read_error, write_error] = [READS.error.word_of(&mut m, reads), WRITES.error.word_of(&mut m, writes)];
+    let errors = ErrorInputs {
+        burst_error: READS.misplaced.word_of(&mut m, reads),
+        packet_error: SPLATS.refused.word_of(&mut m, splats),
+        memory_error: cat([write_error, read_error]),
+        ..ErrorInputs::default()
+    };
+    CONTROL.errors.feed(&mut m, &ERROR_SOURCES, control, errors);
+    let events = (core, PORTS.events);
+    let irq = report::<SplatRegisters, Splat, Fragment>(&mut m, config, control, events, [splats, fragments]);
+    TOP.irq.drive_word(&mut m, irq);
     Ok(Top { module: m, core: core_module, manifests })
+}
+
+/// How writes to uniforms come from the registers.
+fn uniform_bits(config: &Config) -> UniformBits {
+    UniformBits::of(&SplatRegisters::registers(config)).unwrap_or_default()
 }

@@ -1,67 +1,45 @@
-//! What the tops share: a unit's bus becomes the top's, a unit's record the next one's.
+//! What the tops share: a unit's record becomes the next one's, and the registers hear of what happens.
 
-use pointcore_contract::Direction;
-use pointcore_contract::bus::Bus;
+use pointcore_contract::Record;
+use pointcore_contract::bus::packets::Packet;
+use pointcore_contract::bus::registers::RegisterMap;
+use pointcore_contract::bus::units::{packet_in, packet_out, registers};
+use pointcore_contract::unit::{In, Output};
 
 use crate::bus::ADDRESS_BITS;
+use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, WordPort};
+use crate::units::wires::Wired;
 use rtl::{Expr, Instance, Module, Wire, cat, lit};
 
-/// Leads a bus, which a unit calls `from`, out as `to`.
-pub(super) fn export(m: &mut Module, unit: Instance, bus: Bus, from: &str, to: &str) {
-    for (own, outer) in bus.ports(from).into_iter().zip(bus.ports(to)) {
-        match own.direction {
-            Direction::Input => {
-                let value = m.input(&outer.name, outer.width);
-                m.connect(unit, &own.name, value);
-            }
-            Direction::Output => {
-                let value = m.out(unit, &own.name);
-                m.output(&outer.name, value);
-            }
-        }
-    }
-}
-
-/// Leads a stream into a unit, other than field by field; it moves only while `gate` is set.
-pub(super) fn feed(
+/// Leads a record into a unit that is not as the stream has it; it moves only while `gate` is set.
+pub(super) fn feed<R: Record>(
     m: &mut Module,
+    config: &R::Config,
     (valid, stream_ready): (Expr, Wire),
-    (to, input): (Instance, &str),
+    (to, input): (Instance, In<R>),
     gate: Expr,
-    fields: impl IntoIterator<Item = (impl AsRef<str>, Expr)>,
+    record: Wired<R>,
 ) {
-    m.connect(to, &format!("{input}_valid"), valid & gate);
-    for (name, value) in fields {
-        m.connect(to, &format!("{input}_{}", name.as_ref()), value);
-    }
-    let ready = m.out(to, &format!("{input}_ready"));
+    let ready = input.offer(m, config, to, valid & gate, record);
     m.drive(stream_ready, ready & gate);
 }
 
-/// Leads outputs of a unit to inputs of another that have other names.
-pub(super) fn join(m: &mut Module, to: Instance, signals: &[(Instance, &str, &str)]) {
-    for (from, output, input) in signals {
-        let value = m.out(*from, output);
-        m.connect(to, input, value);
-    }
-}
-
-/// Tells the registers what packets did and what happened in the core, and leads out their interrupt.
-pub(super) fn report(
+/// Tells the registers what packets did and what happened in the core; returns their interrupt.
+pub(super) fn report<M: RegisterMap, I: Packet, O: Record>(
     m: &mut Module,
+    config: &M::Config,
     control: Instance,
-    core: Instance,
+    (core, events): (Instance, Output<M::Events>),
     [receiver, sender]: [Instance; 2],
-    events: impl IntoIterator<Item = impl AsRef<str>>,
-) {
-    let packets =
-        [(receiver, "refused", "packet_error"), (receiver, "taken", "packet_taken"), (sender, "sent", "packet_sent")];
-    join(m, control, &packets);
-    for event in events {
-        join(m, control, &[(core, event.as_ref(), event.as_ref())]);
-    }
-    let irq = m.out(control, "irq");
-    m.output("irq", irq);
+) -> Expr {
+    let ports = registers::Ports::<M>::ALL;
+    let taken = packet_in::Ports::<I>::ALL.taken.word_of(m, receiver);
+    ports.packet_taken.feed_word(m, control, taken);
+    let sent = packet_out::Ports::<O>::ALL.sent.word_of(m, sender);
+    ports.packet_sent.feed_word(m, control, sent);
+    let events = events.of(m, config, core);
+    ports.events.feed(m, config, control, events);
+    ports.irq.word_of(m, control)
 }
 
 /// An index times a stride, from a base.

@@ -1,7 +1,7 @@
 //! Records as beats: which bits of which beat hold which field.
 
 use pointcore_contract::bus::Layout;
-use pointcore_contract::{Field, record};
+use pointcore_contract::{Field, Record, fields, record};
 
 use crate::units::ports::held;
 use rtl::{Expr, Module, Reg, cat, lit};
@@ -17,6 +17,7 @@ pub(crate) struct Beat {
 }
 
 /// Bits of a field that one beat holds.
+#[derive(Clone)]
 pub(crate) struct Part {
     /// The field's number in its record.
     field: usize,
@@ -29,6 +30,7 @@ pub(crate) struct Part {
 }
 
 /// A record over beats of so many bits.
+#[derive(Clone)]
 pub(crate) struct Beats {
     fields: Vec<Field>,
     parts: Vec<Part>,
@@ -41,18 +43,18 @@ pub(crate) struct Beats {
 
 impl Beats {
     /// A record padded to whole beats.
-    pub fn packet(fields: &[Field], beat_bits: u32) -> Self {
-        let layout = Layout::of(fields);
-        Self::new(fields, &layout, beat_bits, layout.beats(beat_bits))
+    pub fn packet<R: Record>(config: &R::Config, beat_bits: u32) -> Self {
+        let layout = Layout::record::<R>(config);
+        Self::new(fields::<R>(config), &layout, beat_bits, layout.beats(beat_bits))
     }
 
     /// A record padded to its stride in memory.
-    pub fn memory(fields: &[Field], beat_bits: u32) -> Self {
-        let layout = Layout::of(fields);
-        Self::new(fields, &layout, beat_bits, layout.stride(beat_bits) / (beat_bits / 8))
+    pub fn memory<R: Record>(config: &R::Config, beat_bits: u32) -> Self {
+        let layout = Layout::record::<R>(config);
+        Self::new(fields::<R>(config), &layout, beat_bits, layout.stride(beat_bits) / (beat_bits / 8))
     }
 
-    fn new(fields: &[Field], layout: &Layout, beat_bits: u32, count: u32) -> Self {
+    fn new(fields: Vec<Field>, layout: &Layout, beat_bits: u32, count: u32) -> Self {
         let mut parts = vec![];
         for (field, place) in layout.places.iter().enumerate() {
             let end = place.bit() + place.width;
@@ -72,7 +74,7 @@ impl Beats {
                 _ => used.push((bit, 1)),
             }
         }
-        Self { fields: fields.to_vec(), parts, beat_bits, count, used }
+        Self { fields, parts, beat_bits, count, used }
     }
 
     /// Bits of a beat.
@@ -108,11 +110,9 @@ impl Beats {
         squeezed.bits(at + part.width - 1, at)
     }
 
-    /// A field's bits in a beat that holds it whole, and that beat's number.
-    pub fn field_in(&self, name: &str, beat: Expr) -> (u32, Expr) {
-        let index =
-            self.fields.iter().position(|field| field.name == name).expect("units name fields of their records");
-        let part = self.parts.iter().find(|part| part.field == index).expect("every field has a part");
+    /// The bits of the field at a place, in a beat that holds it whole, and that beat's number.
+    pub fn field_in(&self, field: usize, beat: Expr) -> (u32, Expr) {
+        let part = self.parts.iter().find(|part| part.field == field).expect("every field has a part");
         (part.beat, beat.bits(part.low + part.width - 1, part.low))
     }
 

@@ -2,6 +2,7 @@
 
 use super::beats::{Beat, Beats};
 use crate::stream::skid;
+use crate::units::passage::Passage;
 use crate::units::ports::Flow;
 use crate::units::wires::{Wires, layout};
 use rtl::{Expr, Module, bit, lit};
@@ -18,14 +19,13 @@ pub(crate) struct Spread {
 
 /// Takes a record while `valid` and `accepts` are set and there is room, and sends its beats, one in each cycle.
 pub(crate) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &[Expr], accepts: Expr) -> Spread {
-    let queue = m.instance("beat_queue", skid(&layout::<Beat>(&beats.beat_bits())));
-    let room = m.out(queue, "in_ready");
-    let out = Flow::from(m, &beats.beat_bits(), queue, "out");
+    let bits = &beats.beat_bits();
+    let queue = Passage::<Beat>::place(m, "beat_queue", skid(&layout::<Beat>(bits)));
+    let room = queue.room(m);
+    let out = queue.out(m, bits);
     if beats.count == 1 {
         let ready = m.wire("takes_record", room & accepts);
-        m.connect(queue, "in_valid", valid & ready);
-        m.connect(queue, "in_data", beats.spread(record)[0]);
-        m.connect(queue, "in_last", bit(true));
+        queue.push(m, bits, valid & ready, Beat { data: beats.spread(record)[0], last: bit(true) });
         let idle = !out.valid;
         return Spread { ready, out, idle };
     }
@@ -42,9 +42,7 @@ pub(crate) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &[Expr]
     m.next_if(place, moves, next);
     let record = beats.hold(m, record, takes);
     let words = beats.spread(&record);
-    m.connect(queue, "in_valid", held);
-    m.connect(queue, "in_data", place.pick(words.iter().copied()));
-    m.connect(queue, "in_last", at_end);
+    queue.push(m, bits, held, Beat { data: place.pick(words.iter().copied()), last: at_end });
     let idle = !held & !out.valid;
     Spread { ready, out, idle }
 }

@@ -4,13 +4,16 @@
 
 mod counters;
 
+use pointcore_contract::bus::axi::{RegisterAnswer, RegisterBus, RegisterValue};
 use pointcore_contract::bus::config::REGISTER_ADDRESS_BITS;
-use pointcore_contract::bus::ports::{self, ERROR_INPUTS, ErrorSources};
-use pointcore_contract::bus::registers::ERRORS;
-use pointcore_contract::bus::{Access, Kind, Register, When};
+use pointcore_contract::bus::registers::{ERRORS, ErrorSources, RegisterMap, RegisterWrite, UniformBits};
+use pointcore_contract::bus::units::registers::Ports;
+use pointcore_contract::bus::{Access, Register, RegisterKind, When};
+use pointcore_contract::unit::PulseOut;
 
 use super::{OKAY, REGISTER_BITS, REGISTER_BYTES, SLAVE_ERROR};
-use crate::units::ports::event_out;
+use crate::units::ports::{ChannelInPorts, ChannelOutPorts, InputPorts, OutputPorts, PulseOutPorts, WordPort};
+use crate::units::wires::Bundle;
 use counters::{Counter, counters};
 use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
 
@@ -46,7 +49,7 @@ impl<'a> Stored<'a> {
 /// Low bits that are zero in every value of a register.
 fn zero_bits(register: &Register) -> u32 {
     match register.kind {
-        Kind::Setting { multiple } => multiple.ilog2(),
+        RegisterKind::Setting { multiple } => multiple.ilog2(),
         _ => 0,
     }
 }
@@ -58,7 +61,7 @@ fn any(conditions: &[Expr]) -> Expr {
 
 /// Whether a register is one of the counters.
 const fn is_counter(register: &Register) -> bool {
-    matches!(register.kind, Kind::Errors | Kind::Run)
+    matches!(register.kind, RegisterKind::Errors(_) | RegisterKind::Run(_))
 }
 
 /// A register's number.
@@ -71,14 +74,16 @@ fn word_in(address: Expr) -> Expr {
     address.bits(BYTE_ADDRESS_BITS - 1, BYTE_BITS)
 }
 
-/// The unit for a map; ports as in `contract::bus::ports::registers`.
+/// The unit for a map; ports as in `contract::bus::units::registers`.
 #[must_use]
-pub fn module(map: &[Register], sources: ErrorSources) -> Module {
+pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Module {
+    let ports = Ports::<M>::ALL;
+    let map = &M::registers(config);
     let mut m = Module::new("bus_registers", "Registers of a core.");
     m.parameter("registers", map.len());
-    let write = Write::new(&mut m);
-    let finished = m.input("finished", 1);
-    let occupied = m.input("occupied", 1);
+    let write = Write::new(&mut m, ports.host);
+    let finished = ports.finished.declare_word(&mut m, 1);
+    let occupied = ports.occupied.declare_word(&mut m, 1);
     let busy = m.reg_reset("busy", 1, 0);
     let is_stored = |register: &&Register| register.access() == Access::ReadWrite;
     let stored: Vec<Stored> = map.iter().filter(is_stored).map(|register| Stored::new(&mut m, register)).collect();
@@ -87,7 +92,7 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
         let value = write.data.bits(register.width - 1, zero_bits(register));
         m.next_if(*bits, write.accepted & write.chooses(register), value);
     }
-    let control = map.iter().find(|register| register.kind == Kind::Control).expect("every map has `control`");
+    let control = map.iter().find(|register| register.kind == RegisterKind::Control).expect("every map has `control`");
     let commands = m.wire("commands", write.accepted & write.chooses(control));
     let [start, core_reset, clear_errors] = ["start", "core_reset", "clear_errors"].map(|name| m.reg_reset(name, 1, 0));
     for (number, pulse) in (0..).zip([start, core_reset, clear_errors]) {
@@ -97,41 +102,42 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
     m.next(busy, starts | (busy & !finished));
     let done = m.reg_reset("done", 1, 0);
     m.next(done, !starts & (done | (busy & finished)));
-    m.output("busy", busy);
-    m.output("start", start);
-    m.output("core_reset", core_reset);
-    uniform_out(&mut m, map, &write);
+    ports.busy.drive_word(&mut m, busy);
+    ports.start.drive_word(&mut m, start);
+    ports.core_reset.drive_word(&mut m, core_reset);
+    uniform_out(&mut m, ports.uniform, map, &write);
 
     let read = Read::new(&mut m, map);
-    let own = [vec![refused_access, read.refused], vec![refused_busy], vec![], vec![], vec![]];
-    let mut errors: [Vec<Expr>; ERRORS.len()] = own;
-    for ((name, count), errors) in ERROR_INPUTS.into_iter().zip(sources).zip(&mut errors[1..]) {
-        if count > 0 {
-            let elsewhere = m.input(name, count);
-            errors.extend((0..count).map(|source| elsewhere.bit(source)));
-        }
-    }
+    let elsewhere = ports.errors.declare(&mut m, &sources);
+    let from = |input: Expr, count: u32| (0..count).map(move |source| input.bit(source));
+    let errors: [Vec<Expr>; ERRORS.len()] = [
+        vec![refused_access, read.refused],
+        std::iter::once(refused_busy).chain(from(elsewhere.busy_error, sources.busy)).collect(),
+        from(elsewhere.burst_error, sources.burst).collect(),
+        from(elsewhere.packet_error, sources.packet).collect(),
+        from(elsewhere.memory_error, sources.memory).collect(),
+    ];
     let error = m.reg_reset("error", 1, 0);
     m.next(error, any(&errors.concat()) | (error & !clear_errors));
-    let [taken, sent] = ["packet_taken", "packet_sent"].map(|name| m.input(name, 1));
-    let events = ports::events(map).into_iter().map(|name| m.input(name, 1)).collect::<Vec<_>>();
+    let [taken, sent] = [ports.packet_taken, ports.packet_sent].map(|port| port.declare_word(&mut m, 1));
+    let events = ports.events.declare(&mut m, config).values(config);
     let in_run = [bit(true), taken, sent].into_iter().chain(events);
     let in_run = in_run.map(|event| Counter { sources: vec![event & busy], clear: start.expr() });
     let errors = errors.into_iter().map(|sources| Counter { sources, clear: clear_errors.expr() });
     let counted: Vec<Counter> = errors.chain(in_run).collect();
 
     let status = cat([error, done, busy]);
-    read.answer(&mut m, map, &counted, |register| match register.kind {
-        Kind::Identity(value) => Some(lit(REGISTER_BITS, value.into())),
-        Kind::Status => Some(status),
+    read.answer(&mut m, ports.host, map, &counted, |register| match register.kind {
+        RegisterKind::Identity(value) => Some(lit(REGISTER_BITS, value.into())),
+        RegisterKind::Status => Some(status),
         _ => stored.iter().find(|stored| stored.register == register).map(Stored::value),
     });
-    for stored in &stored {
-        match stored.register.kind {
-            Kind::InterruptEnable => event_out(&mut m, "irq", done & stored.bits),
-            _ => m.output(&stored.register.name, stored.value()),
-        }
-    }
+    let (enables, settings): (Vec<_>, Vec<_>) =
+        stored.iter().partition(|stored| stored.register.kind == RegisterKind::InterruptEnable);
+    enables.iter().for_each(|stored| ports.irq.event(&mut m, done & stored.bits));
+    // The map has them in their order.
+    let settings = settings.into_iter().map(Stored::value);
+    ports.settings.drive(&mut m, config, Bundle::from_values(config, settings));
     m
 }
 
@@ -148,33 +154,28 @@ struct Write {
 }
 
 impl Write {
-    fn new(m: &mut Module) -> Self {
+    fn new(m: &mut Module, host: RegisterBus) -> Self {
         let [has_address, has_data, bvalid] =
             ["has_address", "has_data", "s_axil_bvalid"].map(|name| m.reg_reset(name, 1, 0));
         let judges = m.wire("judges", has_address & (has_data & !bvalid));
-        let awvalid = m.input("s_axil_awvalid", 1);
-        m.output("s_axil_awready", !has_address);
-        let awaddr = m.input("s_axil_awaddr", BYTE_ADDRESS_BITS);
+        let (awvalid, asked) = host.write_address.declare(m, &(), !has_address);
         m.next(has_address, has_address.mux(!judges, awvalid));
         let address = m.reg("write_address", BYTE_ADDRESS_BITS);
-        m.next_if(address, !has_address, awaddr);
-        let wvalid = m.input("s_axil_wvalid", 1);
-        m.output("s_axil_wready", !has_data);
-        let wdata = m.input("s_axil_wdata", REGISTER_BITS);
-        let wstrb = m.input("s_axil_wstrb", REGISTER_BYTES);
+        m.next_if(address, !has_address, asked.address);
+        let (wvalid, written) = host.write_data.declare(m, &(), !has_data);
         m.next(has_data, has_data.mux(!judges, wvalid));
         let data = m.reg("write_data", REGISTER_BITS);
-        m.next_if(data, !has_data, wdata);
+        m.next_if(data, !has_data, written.data);
         let strobes = m.reg("write_strobes", 1);
-        m.next_if(strobes, !has_data, wstrb.all());
+        m.next_if(strobes, !has_data, written.strobes.all());
 
         let accepted = m.forward("write_accepted", 1);
-        m.output("s_axil_bvalid", bvalid);
-        let bready = m.input("s_axil_bready", 1);
-        m.next(bvalid, judges | (bvalid & !bready));
-        let is_okay = m.reg("write_is_okay", 1);
-        m.next_if(is_okay, judges, accepted);
-        m.output("s_axil_bresp", is_okay.mux(OKAY.expr(), SLAVE_ERROR.expr()));
+        host.write_answer.drive_with(m, &(), bvalid, |m, bready| {
+            m.next(bvalid, judges | (bvalid & !bready));
+            let is_okay = m.reg("write_is_okay", 1);
+            m.next_if(is_okay, judges, accepted);
+            RegisterAnswer { response: is_okay.mux(OKAY.expr(), SLAVE_ERROR.expr()) }
+        });
         let is_whole = strobes & address.trunc(BYTE_BITS).is_zero();
         let word = word_in(*address);
         Self { judges, word, is_whole, data: data.expr(), accepted }
@@ -187,7 +188,7 @@ impl Write {
 
     /// Whether the access is to a uniform, if it is to a whole register; uniforms lie side by side.
     fn chooses_uniform(&self, map: &[Register]) -> Expr {
-        let mut words = map.iter().filter(|register| register.kind == Kind::Uniform).map(word_of);
+        let mut words = map.iter().filter(|register| register.kind == RegisterKind::Uniform).map(word_of);
         let Some(first) = words.next() else { return bit(false) };
         let last = words.next_back().unwrap_or(first);
         self.word.ge_lit(first) & !self.word.gt(lit(WORD_BITS, last))
@@ -196,22 +197,23 @@ impl Write {
     /// Accepts the access or not; returns whether it is refused for what it is, and because a run is under way.
     fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: Expr, occupied: Expr) -> [Expr; 2] {
         let uniform = self.chooses_uniform(map);
-        let writable = |register: &&Register| register.access() != Access::Read && register.kind != Kind::Uniform;
+        let writable =
+            |register: &&Register| register.access() != Access::Read && register.kind != RegisterKind::Uniform;
         let writable: Vec<&Register> = map.iter().filter(writable).collect();
         let known = writable.iter().map(|register| self.chooses(register)).chain([uniform]);
         let shaped = m.wire("shaped", self.is_whole & any(&known.collect::<Vec<_>>()));
         let [start, reset] = [0, 1].map(|number| self.data.bit(number));
         let idle_only = writable.iter().filter(|register| register.when() == When::Idle).map(|register| {
             let chosen = self.chooses(register);
-            if register.kind == Kind::Control { chosen & (start | reset) } else { chosen }
+            if register.kind == RegisterKind::Control { chosen & (start | reset) } else { chosen }
         });
         let idle_only = m.wire("idle_only", any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
-        let control = map.iter().filter(|register| register.kind == Kind::Control);
+        let control = map.iter().filter(|register| register.kind == RegisterKind::Control);
         let starts = any(&control.map(|register| self.chooses(register) & start).collect::<Vec<_>>());
         let starts = m.wire("wants_start", starts);
         let blocked = m.wire("blocked", (idle_only & busy) | (starts & occupied));
         let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
-            (Kind::Queries, _) => starts & bits.is_zero(),
+            (RegisterKind::Queries, _) => starts & bits.is_zero(),
             (_, 0) => bit(false),
             (_, zeros) => self.chooses(register) & self.data.trunc(zeros).any(),
         });
@@ -224,15 +226,10 @@ impl Write {
 }
 
 /// Hands writes of uniforms to the core, whose addresses begin at zero.
-fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
-    let Some((address_bits, data_bits)) = ports::uniforms(map) else { return };
-    let valid = m.reg_reset("uniform_valid", 1, 0);
-    m.next(valid, write.accepted & write.chooses_uniform(map));
-    let address = m.reg("uniform_address", address_bits);
-    m.next(address, write.word.trunc(address_bits));
-    let data = m.reg("uniform_data", data_bits);
-    m.next(data, write.data.trunc(data_bits));
-    m.pulse_out("uniform", "valid", valid, [("address", address), ("data", data)]);
+fn uniform_out(m: &mut Module, port: PulseOut<RegisterWrite>, map: &[Register], write: &Write) {
+    let Some(bits) = UniformBits::of(map) else { return };
+    let record = RegisterWrite { address: write.word.trunc(bits.address), data: write.data.trunc(bits.data) };
+    port.registered(m, &bits, write.accepted & write.chooses_uniform(map), record);
 }
 
 /// The read channels: an address waits in a register until its value is there.
@@ -269,23 +266,24 @@ impl Read {
     }
 
     /// Answers with the values of the registers, of which `value` knows all but the counters.
-    fn answer(self, m: &mut Module, map: &[Register], counted: &[Counter], value: impl Fn(&Register) -> Option<Expr>) {
+    fn answer(
+        self,
+        m: &mut Module,
+        host: RegisterBus,
+        map: &[Register],
+        counted: &[Counter],
+        value: impl Fn(&Register) -> Option<Expr>,
+    ) {
         let word = word_in(*self.address);
         let asks = m.wire("asks", self.has_address & (self.is_counter & !self.refused));
         let answer = counters(m, counted, asks, self.counter);
 
         let rvalid = m.reg_reset("s_axil_rvalid", 1, 0);
-        let arvalid = m.input("s_axil_arvalid", 1);
         let arready = m.wire("read_ready", !(self.has_address | rvalid));
-        m.output("s_axil_arready", arready);
-        let araddr = m.input("s_axil_araddr", BYTE_ADDRESS_BITS);
-        m.next_if(self.address, arready, araddr);
+        let (arvalid, asked) = host.read_address.declare(m, &(), arready);
+        m.next_if(self.address, arready, asked.address);
         let answers = m.wire("answers", self.has_address & (!asks | answer.valid));
         m.next(self.has_address, (arready & arvalid) | (self.has_address & !answers));
-        m.output("s_axil_rvalid", rvalid);
-        let rready = m.input("s_axil_rready", 1);
-        m.next(rvalid, answers | (rvalid & !rready));
-
         let others = map.iter().filter_map(|register| {
             let value = value(register)?.zext(REGISTER_BITS);
             Some(word.eq_lit(word_of(register)).repeat(REGISTER_BITS) & value)
@@ -294,9 +292,10 @@ impl Read {
         let shown = asks.mux(answer.value, others & (!self.refused).repeat(REGISTER_BITS));
         let rdata = m.reg("s_axil_rdata", REGISTER_BITS);
         m.next_if(rdata, answers, shown);
-        m.output("s_axil_rdata", rdata);
         let is_error = m.reg("read_is_error", 1);
         m.next_if(is_error, answers, self.refused);
-        m.output("s_axil_rresp", is_error.mux(SLAVE_ERROR.expr(), OKAY.expr()));
+        let response = is_error.mux(SLAVE_ERROR.expr(), OKAY.expr());
+        let rready = host.read_value.drive(m, &(), rvalid, RegisterValue { data: rdata.expr(), response });
+        m.next(rvalid, answers | (rvalid & !rready));
     }
 }

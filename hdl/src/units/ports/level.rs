@@ -1,11 +1,11 @@
 //! What is there in every cycle, at a unit's border.
 
 use pointcore_contract::unit::{Input, Output};
-use pointcore_contract::{Record, fields};
+use pointcore_contract::{Places, Record, fields, places};
 use rtl::{Expr, Instance, Module};
 
 use crate::units::documents::{self, prefix};
-use crate::units::wires::{Bundle, Places, Wired, places};
+use crate::units::wires::{Bundle, Wired};
 
 /// A record into a unit in every cycle.
 pub(crate) trait InputPorts<R: Record>: Sized {
@@ -146,7 +146,7 @@ impl<W> WordPort for Output<W> {
 }
 
 /// An output that is set in the cycle after `happens`.
-pub(crate) fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
+fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
     let happened = m.reg_reset(name, 1, 0);
     m.next(happened, happens);
     m.output(name, happened);

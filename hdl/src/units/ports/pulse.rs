@@ -4,7 +4,7 @@ use pointcore_contract::Record;
 use pointcore_contract::unit::{PulseIn, PulseOut};
 use rtl::{Expr, Instance, Module, bit};
 
-use crate::units::documents;
+use crate::units::documents::{self, prefix};
 use crate::units::wires::{Bundle, Wired, layout};
 
 /// A record that is always taken: it comes with `valid` and without `ready`.
@@ -44,8 +44,8 @@ impl<R: Record> PulseInPorts<R> for PulseIn<R> {
     }
 
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, pulse: Pulse<Wired<R>>) {
-        m.connect(instance, &format!("{}_{}", self.name, self.flag), pulse.valid);
-        pulse.record.connect(m, config, instance, &format!("{}_", self.name));
+        m.connect(instance, &self.port(self.flag), pulse.valid);
+        pulse.record.connect(m, config, instance, &prefix(self.name));
     }
 }
 
@@ -80,15 +80,15 @@ impl<R: Record> PulseOutPorts<R> for PulseOut<R> {
         valid: impl Into<Expr>,
         record: Wired<R>,
     ) -> Pulse<Wired<R>> {
-        let shown = m.reg_reset(&format!("{}_{}", self.name, self.flag), 1, 0);
+        let shown = m.reg_reset(&self.port(self.flag), 1, 0);
         m.next(shown, valid);
-        let record = record.register(m, config, &format!("{}_", self.name), bit(true));
+        let record = record.register(m, config, &prefix(self.name), bit(true));
         self.drive(m, config, shown, record);
         Pulse { valid: shown.expr(), record }
     }
 
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Pulse<Wired<R>> {
-        let valid = m.out(instance, &format!("{}_{}", self.name, self.flag));
-        Pulse { valid, record: Bundle::shown_by(m, config, instance, &format!("{}_", self.name)) }
+        let valid = m.out(instance, &self.port(self.flag));
+        Pulse { valid, record: Bundle::shown_by(m, config, instance, &prefix(self.name)) }
     }
 }

@@ -1,13 +1,12 @@
 //! `valid`/`ready` streams at a unit's border.
 
-use std::marker::PhantomData;
-
 use pointcore_contract::Record;
-use pointcore_contract::unit::{In, Out};
+use pointcore_contract::unit::{In, Out, READY};
 use rtl::{Expr, Instance, Module, Stream, Wire};
 
 use crate::stream::{half_buffer, skid};
-use crate::units::documents;
+use crate::units::documents::{self, prefix};
+use crate::units::passage::Passage;
 use crate::units::wires::{Bundle, Wired, layout};
 
 /// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
@@ -83,12 +82,18 @@ pub(crate) trait StreamInPorts<R: Record>: Sized {
         valid: impl Into<Expr>,
         record: Wired<R>,
     ) -> Expr;
+
+    /// As [`StreamInPorts::offer`], which is called where nobody asks for the answer.
+    fn push(self, m: &mut Module, config: &R::Config, instance: Instance, valid: impl Into<Expr>, record: Wired<R>);
+
+    /// Whether an instance of the unit can take a record in this cycle.
+    fn room(self, m: &mut Module, instance: Instance) -> Expr;
 }
 
 impl<R: Record> StreamInPorts<R> for In<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Flow<Wired<R>> {
         let stream = m.stream_in(self.name, &layout::<R>(config));
-        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
         Flow::typed(stream, config)
     }
 
@@ -114,9 +119,17 @@ impl<R: Record> StreamInPorts<R> for In<R> {
         valid: impl Into<Expr>,
         record: Wired<R>,
     ) -> Expr {
-        m.connect(instance, &format!("{}_valid", self.name), valid);
-        record.connect(m, config, instance, &format!("{}_", self.name));
-        m.out(instance, &format!("{}_ready", self.name))
+        self.push(m, config, instance, valid, record);
+        self.room(m, instance)
+    }
+
+    fn push(self, m: &mut Module, config: &R::Config, instance: Instance, valid: impl Into<Expr>, record: Wired<R>) {
+        m.connect(instance, &self.port(self.flag), valid);
+        record.connect(m, config, instance, &prefix(self.name));
+    }
+
+    fn room(self, m: &mut Module, instance: Instance) -> Expr {
+        m.out(instance, &self.port(READY))
     }
 }
 
@@ -136,17 +149,23 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
 
     /// The stream that an instance of the unit puts out.
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>>;
+
+    /// Whether an instance of the unit puts out a record, and the record: what is taken is said by [`StreamOutPorts::take`].
+    fn shown(self, m: &mut Module, config: &R::Config, instance: Instance) -> (Expr, Wired<R>);
+
+    /// States when an instance's record is taken.
+    fn take(self, m: &mut Module, instance: Instance, taken: impl Into<Expr>);
 }
 
 impl<R: Record> StreamOutPorts<R> for Out<R> {
     fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>) {
         m.stream_export(self.name, &stream.plain(config));
-        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
     }
 
     fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
         let ready = m.stream_out(self.name, valid, record.named(config));
-        documents::flagged::<R>(m, config, (self.name, "valid"), self.doc);
+        documents::flagged::<R>(m, config, (self.name, self.flag), self.doc);
         ready
     }
 
@@ -161,12 +180,20 @@ impl<R: Record> StreamOutPorts<R> for Out<R> {
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>> {
         Flow::from(m, config, instance, self.name)
     }
+
+    fn shown(self, m: &mut Module, config: &R::Config, instance: Instance) -> (Expr, Wired<R>) {
+        let record = Bundle::shown_by(m, config, instance, &prefix(self.name));
+        (m.out(instance, &self.port(self.flag)), record)
+    }
+
+    fn take(self, m: &mut Module, instance: Instance, taken: impl Into<Expr>) {
+        m.connect(instance, &self.port(READY), taken);
+    }
 }
 
 /// A queue whose head is a stream that goes out.
 pub(crate) struct QueueOut<R> {
-    instance: Instance,
-    record: PhantomData<R>,
+    queue: Passage<R>,
     /// An item can be pushed in this cycle.
     pub room: Expr,
     /// It holds an item.
@@ -175,17 +202,16 @@ pub(crate) struct QueueOut<R> {
 
 impl<R: Record> QueueOut<R> {
     fn new(ports: Out<R>, m: &mut Module, config: &R::Config, buffer: Module) -> Self {
-        let instance = m.instance(&format!("{}_queue", ports.name), buffer);
-        let head = Flow::from(m, config, instance, "out");
+        let queue = Passage::place(m, &format!("{}_queue", ports.name), buffer);
+        let head = queue.out(m, config);
         ports.export(m, config, head);
-        let room = m.out(instance, "in_ready");
-        Self { instance, record: PhantomData, room, holds: head.valid }
+        let room = queue.room(m);
+        Self { queue, room, holds: head.valid }
     }
 
     /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
     pub fn push(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
-        m.connect(self.instance, "in_valid", valid);
-        record.connect(m, config, self.instance, "in_");
+        self.queue.push(m, config, valid, record);
     }
 }
 

@@ -1,9 +1,13 @@
-//! The register maps of both cores.
+//! Registers, what they are, and the maps of both cores.
 
-use super::config::BORDER_BYTES;
-use crate::search;
-use crate::splat::records::Uniforms;
-use crate::{fields, splat};
+mod maps;
+
+pub use maps::{
+    MapEntries, MapEntry, RegisterMap, SearchRegisters, SearchSettings, SplatRegisters, SplatSettings, common, settings,
+};
+
+use crate::record;
+use crate::splat::config::index_bits;
 
 /// Address of `id`.
 pub const ID: u32 = 0x000;
@@ -22,14 +26,6 @@ pub const SETTINGS: u32 = 0x080;
 /// Address of the first uniform register of the renderer.
 pub const UNIFORMS: u32 = 0x100;
 
-/// "PC", in the upper half of `id`.
-const SIGNATURE: u32 = 0x5043;
-/// Version of the layout of registers and packets.
-const VERSION: u32 = 1;
-/// The renderer's and the search core's byte in `id`.
-const SPLAT: u32 = 0x0a;
-const SEARCH: u32 = 0x0b;
-
 /// Bits of `control`.
 pub const CONTROL_BITS: [(&str, &str); 3] = [
     ("start", "begins a run, clears `done` and the run's counters"),
@@ -45,23 +41,95 @@ pub const STATUS_BITS: [(&str, &str); 3] = [
 /// Bits of `interrupt_enable`.
 pub const INTERRUPT_BITS: [(&str, &str); 1] = [("done", "`irq` is high while `done` is")];
 
+/// What counts errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ErrorCounter {
+    /// Refused accesses to registers.
+    Access,
+    /// What is refused because a run is under way.
+    Busy,
+    /// Refused and misshapen bursts.
+    Burst,
+    /// Refused packets.
+    Packet,
+    /// Bad answers from memory.
+    Memory,
+}
+
 /// The error counters in order.
-pub const ERRORS: [(&str, &str); 5] = [
+pub const ERRORS: [(ErrorCounter, &str, &str); 5] = [
     (
+        ErrorCounter::Access,
         "access_errors",
         "register accesses refused: outside the map, not of a whole aligned word, written where only read or read where only \
          written, a value that makes no sense",
     ),
-    ("busy_errors", "accesses refused because a run is under way"),
-    ("burst_errors", "bursts refused by `s_axi`, and read bursts from memory whose `rlast` was not at their end"),
-    ("packet_errors", "packets refused: `tlast` before or after their end, or a field out of its range"),
-    ("memory_errors", "responses from memory that were not OKAY"),
+    (ErrorCounter::Busy, "busy_errors", "accesses refused because a run is under way"),
+    (
+        ErrorCounter::Burst,
+        "burst_errors",
+        "bursts refused by `s_axi`, and read bursts from memory whose `rlast` was not at their end",
+    ),
+    (
+        ErrorCounter::Packet,
+        "packet_errors",
+        "packets refused: `tlast` before or after their end, or a field out of its range",
+    ),
+    (ErrorCounter::Memory, "memory_errors", "responses from memory that were not OKAY"),
 ];
+
+/// How many sources there are elsewhere of each kind of error but of access, which is the registers' own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ErrorSources {
+    /// Of what is refused because a run is under way.
+    pub busy: u32,
+    /// Of refused and misshapen bursts.
+    pub burst: u32,
+    /// Of refused packets.
+    pub packet: u32,
+    /// Of bad answers from memory.
+    pub memory: u32,
+}
+
+/// Errors from elsewhere, a bit a source.
+#[record(sources: ErrorSources)]
+pub struct ErrorInputs {
+    /// Something was refused because a run is under way.
+    #[when(sources.busy > 0)]
+    #[bits(sources.busy)]
+    pub busy_error: u8,
+    /// A burst was refused, or ended where it must not.
+    #[when(sources.burst > 0)]
+    #[bits(sources.burst)]
+    pub burst_error: u8,
+    /// A packet was refused.
+    #[when(sources.packet > 0)]
+    #[bits(sources.packet)]
+    pub packet_error: u8,
+    /// Memory answered with an error.
+    #[when(sources.memory > 0)]
+    #[bits(sources.memory)]
+    pub memory_error: u8,
+}
+
+/// What counts in a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RunCounter {
+    /// Cycles.
+    Cycles,
+    /// Packets taken.
+    PacketsIn,
+    /// Packets sent.
+    PacketsOut,
+    /// Cycles with an event of the core's, by its place among them.
+    Event(usize),
+}
+
 /// The counters of a run that every core has, before those of its events.
-pub const RUN_COUNTERS: [(&str, &str); 3] = [
-    ("cycles", "cycles of the run, to its end or so far"),
-    ("packets_in", "packets taken in the run"),
-    ("packets_out", "packets sent in the run"),
+pub const RUN_COUNTERS: [(RunCounter, &str, &str); 3] = [
+    (RunCounter::Cycles, "cycles", "cycles of the run, to its end or so far"),
+    (RunCounter::PacketsIn, "packets_in", "packets taken in the run"),
+    (RunCounter::PacketsOut, "packets_out", "packets sent in the run"),
 ];
 
 /// How a register may be accessed.
@@ -86,7 +154,7 @@ pub enum When {
 
 /// What a register is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum RegisterKind {
     /// A constant.
     Identity(u32),
     /// Commands, [`CONTROL_BITS`].
@@ -96,9 +164,9 @@ pub enum Kind {
     /// [`INTERRUPT_BITS`].
     InterruptEnable,
     /// Counts errors until they are cleared.
-    Errors,
+    Errors(ErrorCounter),
     /// Counts in a run.
-    Run,
+    Run(RunCounter),
     /// A value that the hardware holds; a multiple of `multiple`.
     Setting {
         /// What every value is a multiple of; a power of two.
@@ -118,7 +186,7 @@ pub struct Register {
     /// Its byte address.
     pub address: u32,
     /// What it is.
-    pub kind: Kind,
+    pub kind: RegisterKind,
     /// Its bits, from the lowest on; others are ignored when written and read as zero.
     pub width: u32,
     /// One line.
@@ -126,7 +194,7 @@ pub struct Register {
 }
 
 impl Register {
-    fn new(name: &str, address: u32, kind: Kind, width: u32, doc: impl Into<String>) -> Self {
+    fn new(name: &str, address: u32, kind: RegisterKind, width: u32, doc: impl Into<String>) -> Self {
         Self { name: name.to_owned(), address, kind, width, doc: doc.into() }
     }
 
@@ -134,9 +202,11 @@ impl Register {
     #[must_use]
     pub const fn access(&self) -> Access {
         match self.kind {
-            Kind::Identity(_) | Kind::Status | Kind::Errors | Kind::Run => Access::Read,
-            Kind::Control | Kind::Uniform => Access::Write,
-            Kind::InterruptEnable | Kind::Setting { .. } | Kind::Queries => Access::ReadWrite,
+            RegisterKind::Identity(_) | RegisterKind::Status | RegisterKind::Errors(_) | RegisterKind::Run(_) => {
+                Access::Read
+            }
+            RegisterKind::Control | RegisterKind::Uniform => Access::Write,
+            RegisterKind::InterruptEnable | RegisterKind::Setting { .. } | RegisterKind::Queries => Access::ReadWrite,
         }
     }
 
@@ -144,7 +214,7 @@ impl Register {
     #[must_use]
     pub const fn when(&self) -> When {
         match self.kind {
-            Kind::InterruptEnable => When::Always,
+            RegisterKind::InterruptEnable => When::Always,
             _ => When::Idle,
         }
     }
@@ -153,7 +223,7 @@ impl Register {
     #[must_use]
     pub const fn reset(&self) -> u32 {
         match self.kind {
-            Kind::Identity(value) => value,
+            RegisterKind::Identity(value) => value,
             _ => 0,
         }
     }
@@ -162,101 +232,69 @@ impl Register {
     #[must_use]
     pub const fn bits(&self) -> &'static [(&'static str, &'static str)] {
         match self.kind {
-            Kind::Control => &CONTROL_BITS,
-            Kind::Status => &STATUS_BITS,
-            Kind::InterruptEnable => &INTERRUPT_BITS,
+            RegisterKind::Control => &CONTROL_BITS,
+            RegisterKind::Status => &STATUS_BITS,
+            RegisterKind::InterruptEnable => &INTERRUPT_BITS,
             _ => &[],
         }
     }
 }
 
-/// What both maps begin with: identity to counters.
-fn common(core: u32, events: &[impl AsRef<str>]) -> Vec<Register> {
-    let identity = SIGNATURE << 16 | core << 8 | VERSION;
-    let mut map = vec![
-        Register::new(
-            "id",
-            ID,
-            Kind::Identity(identity),
-            32,
-            "\"PC\", the core (0x0A or 0x0B), the layout's version (1)",
-        ),
-        Register::new("control", CONTROL, Kind::Control, 3, "commands"),
-        Register::new("status", STATUS, Kind::Status, 3, "where the core is"),
-        Register::new("interrupt_enable", INTERRUPT_ENABLE, Kind::InterruptEnable, 1, "what raises `irq`"),
-    ];
-    let errors = ERRORS.map(|(name, doc)| (name, doc.to_owned(), Kind::Errors));
-    let run = RUN_COUNTERS.map(|(name, doc)| (name, doc.to_owned(), Kind::Run));
-    let common = (COUNTERS..).step_by(4).zip(errors.into_iter().chain(run));
-    let events = events.iter().map(AsRef::as_ref);
-    let events = events.map(|name| (name, format!("cycles of the run in which `{name}` was high"), Kind::Run));
-    let counters = common.chain((EVENTS..).step_by(4).zip(events));
-    map.extend(counters.map(|(address, (name, doc, kind))| Register::new(name, address, kind, 32, doc)));
-    map
+/// How a map's uniforms are told apart, and how wide they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UniformBits {
+    /// Bits that number them.
+    pub address: u32,
+    /// Bits of a value.
+    pub data: u32,
 }
 
-/// The base of something in memory.
-fn base(name: &str, address: u32, what: &str) -> Register {
-    let doc = format!("address of {what}, a multiple of {BORDER_BYTES}");
-    Register::new(name, address, Kind::Setting { multiple: BORDER_BYTES }, 32, doc)
-}
-
-/// The registers of the renderer, by address.
-#[must_use]
-pub fn splat(config: &splat::Config) -> Vec<Register> {
-    let mut map = common(SPLAT, &splat::units::events(config));
-    map.push(base("buffer_base", SETTINGS, "the reconstruction buffer"));
-    let width = config.geometry.width();
-    map.extend((UNIFORMS..).step_by(4).zip(fields::<Uniforms>(config)).map(|(address, field)| {
-        let doc = format!("uniform `{}`, in {}", field.name, config.uniform_format(&field.name));
-        Register::new(&field.name, address, Kind::Uniform, width, doc)
-    }));
-    map
-}
-
-/// The registers of the search core, by address.
-#[must_use]
-pub fn search(config: &search::Config) -> Vec<Register> {
-    let mut map = common(SEARCH, &search::units::events(config));
-    map.push(base("points_base", SETTINGS, "the points"));
-    if config.tree_cache > 0 {
-        map.push(base("tree_base", SETTINGS + 0x4, "the tree"));
+impl UniformBits {
+    /// Of the uniforms of a map, if it has any.
+    #[must_use]
+    pub fn of(map: &[Register]) -> Option<Self> {
+        let uniforms: Vec<_> = map.iter().filter(|register| register.kind == RegisterKind::Uniform).collect();
+        Some(Self { address: index_bits(uniforms.len() as u32), data: uniforms.first()?.width })
     }
-    map.push(Register::new("queries", SETTINGS + 0x8, Kind::Queries, 32, "queries of the next run, at least 1"));
-    if config.neighbor_cache > 0 {
-        let value = Kind::Setting { multiple: 1 };
-        let width = config.geometry.width();
-        let scale = |name, offset, what: &str| {
-            Register::new(name, SETTINGS + offset, value, width, format!("{what}, in {}", config.geometry))
-        };
-        map.push(Register::new("cache_ball", SETTINGS + 0xc, value, 1, "whether queries are balls (neighbor cache)"));
-        map.push(scale("cache_far_scale", 0x10, "factor of the distance to the farthest neighbor"));
-        map.push(scale("cache_margin_scale", 0x14, "factor of what is left of it"));
-    }
-    map
+}
+
+/// A write to one of the core's own registers.
+#[record(bits: UniformBits)]
+pub struct RegisterWrite {
+    /// The register's place among them.
+    #[bits(bits.address)]
+    pub address: u8,
+    /// Its new value.
+    #[bits(bits.data)]
+    pub data: u32,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{search, splat};
     use std::collections::HashSet;
 
     #[test]
     fn registers_lie_apart_where_the_contract_has_them() {
         let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
-        for map in [splat(&splat::Config::default()), search(&search::Config::default()), search(&b)] {
+        for map in [
+            SplatRegisters::registers(&splat::Config::default()),
+            SearchRegisters::registers(&search::Config::default()),
+            SearchRegisters::registers(&b),
+        ] {
             assert!(map.is_sorted_by(|a, b| a.address < b.address), "{map:?}");
             assert!(map.iter().all(|register| register.address % 4 == 0 && register.address < 0x1000));
             let names: HashSet<_> = map.iter().map(|register| &register.name).collect();
             assert_eq!(names.len(), map.len());
-            let last = map.iter().rfind(|register| matches!(register.kind, Kind::Run)).unwrap();
+            let last = map.iter().rfind(|register| matches!(register.kind, RegisterKind::Run(_))).unwrap();
             assert!(last.address < SETTINGS, "counters run into the settings");
             let address =
                 |name: &str| map.iter().find(|register| register.name == name).map(|register| register.address);
             assert_eq!([address("memory_errors"), address("cycles")], [Some(0x20), Some(0x24)]);
             assert_eq!([address("packets_in"), address("packets_out")], [Some(0x28), Some(0x2c)]);
         }
-        let map = search(&b);
+        let map = SearchRegisters::registers(&b);
         let address = |name: &str| map.iter().find(|register| register.name == name).map(|register| register.address);
         assert_eq!(
             [address("event_node"), address("tree_base"), address("queries")],

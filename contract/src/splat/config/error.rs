@@ -1,0 +1,44 @@
+//! What a configuration of the renderer may be refused for.
+
+use super::ATTRIBUTES_MAX;
+use crate::configuration::OutOfRange;
+use crate::splat::RasterFormat;
+use crate::{Format, bus};
+
+/// A configuration the hardware cannot hold.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ConfigError {
+    /// A number lies outside its range.
+    #[error(transparent)]
+    Range(#[from] OutOfRange),
+    /// A pace the heap does not have.
+    #[error("`heap_interval` = {0}: expected 2 cycles an operation, or 4 for a higher clock")]
+    HeapInterval(u32),
+    /// A row of samples that ends within a pixel.
+    #[error(
+        "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"
+    )]
+    OddWidth(u32),
+    /// More or fewer attributes than the accumulators hold.
+    #[error("`continuous` + `cardinal` = {0}: expected 1 to {ATTRIBUTES_MAX} attributes")]
+    Attributes(u32),
+    /// A format the operators cannot compute in.
+    #[error("`{key}` = \"{format}\": expected one of {expected}")]
+    Format {
+        /// The TOML key.
+        key: &'static str,
+        /// Its value.
+        format: Format,
+        /// What would be right.
+        expected: &'static str,
+    },
+    /// Depths of samples where there is no number to hold them.
+    #[error(
+        "`rasterizer` = \"{0}\" with `depth` = \"plane\": expected `depth` = \"center\", or a floating-point `rasterizer`, in which \
+         samples have depths of their own"
+    )]
+    PlaneInFixedPoint(RasterFormat),
+    /// A width that no bus has.
+    #[error(transparent)]
+    Bus(#[from] bus::ConfigError),
+}
