@@ -71,7 +71,9 @@ impl Delays {
         for (from, to) in segments(&self.needs[value.0]) {
             if to - from >= MEMORY_STAGES {
                 let line = self.lines.get_mut(&(phase, to - from)).expect("`new` made a line for every long segment");
-                data = line.take(data);
+                let held = line.take(data);
+                let label = emitter.unique(&format!("{name}_d{to}"));
+                data = emitter.module.wire(&label, held);
             } else {
                 for stage in from + 1..=to {
                     data = emitter.register(&format!("{name}_d{stage}"), phase, data);

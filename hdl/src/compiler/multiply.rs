@@ -3,43 +3,38 @@
 
 use super::types::Type;
 use crate::float::parts::delay;
-use crate::float::parts::pipe::{Operator, Pipe};
-use crate::float::parts::product::{product, product_delays};
+use crate::float::parts::pipe::{self, Operator, Pipe};
+use crate::float::parts::product::{is_pieced, product};
 use rtl::Expr;
-
-/// Segments: the operands' way to their registers, then those of the product.
-fn delays(a: Type, b: Type) -> Vec<u32> {
-    let mut delays = vec![0];
-    delays.extend(product_delays(a.width(), b.width()));
-    if is_corrected(a, b) {
-        delays.push(2 * delay::adder(a.width() + b.width()));
-    }
-    delays
-}
 
 /// Whether a signed product takes several multipliers: it is that of unsigned numbers, less what signs add to it.
 fn is_corrected(a: Type, b: Type) -> bool {
-    matches!(a, Type::Signed(_)) && product_delays(a.width(), b.width()).len() > 1
+    matches!(a, Type::Signed(_)) && is_pieced(a.width(), b.width())
 }
 
 /// A register stage for the operands, one for each step of the product.
 pub(super) fn stages(a: Type, b: Type) -> u32 {
-    delays(a, b).len() as u32
+    pipe::cuts(|pipe| integer_product(pipe, a, b))
 }
 
 /// Module `integer_mul`: ports `enable`, `a`, `b`, and `y` as wide as both.
 pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("integer_mul", "Integer product, pipelined.", &delays(a, b), stages);
+    pipe::operator("integer_mul", "Integer product, pipelined.", stages, |pipe| integer_product(pipe, a, b))
+}
+
+fn integer_product(pipe: &mut Pipe, a: Type, b: Type) -> Expr {
     pipe.module.variant("a", a);
     pipe.module.variant("b", b);
     let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width()));
     let [left, right] = pipe.cut([("a", left), ("b", right)]);
-    let product = match a {
-        Type::Signed(_) if is_corrected(a, b) => signed_product(&mut pipe, left, right),
-        Type::Signed(_) => left.mul_signed(right),
-        _ => product(&mut pipe, left, right),
-    };
-    pipe.finish(product)
+    match a {
+        Type::Signed(_) if is_corrected(a, b) => signed_product(pipe, left, right),
+        Type::Signed(_) => {
+            pipe.takes(delay::MULTIPLIER);
+            left.mul_signed(right)
+        }
+        _ => product(pipe, left, right),
+    }
 }
 
 /// A product of signed numbers: the top bit of one counts `2^width` less than an unsigned number's, times the other.
@@ -52,5 +47,6 @@ fn signed_product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
     let unsigned = product(pipe, left, right);
     let [unsigned] = pipe.cut([("unsigned", unsigned)]);
     let [left, right] = excess.each_mut().map(|(place, times)| pipe.arrive(times).zext(width) << *place);
+    pipe.takes(2 * delay::adder(width));
     unsigned - left - right
 }

@@ -6,8 +6,8 @@
 use super::parts::delay;
 use super::parts::operand::{Operand, exponent_width, precision};
 use super::parts::pipe::{self, Carried, Operator, Pipe};
-use super::parts::round::{Raw, Special, Underflow, round, round_delays};
-use super::parts::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_out_zeros_delays, shift_right_sticky};
+use super::parts::round::{Raw, Special, Underflow, round};
+use super::parts::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_right_sticky};
 use pointcore_contract::{Format, Subnormals};
 use rtl::{Expr, cat, lit};
 
@@ -17,7 +17,7 @@ const EXTRA: u32 = 3;
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
+    pipe::stages_for(|pipe| sum(pipe, format))
 }
 
 /// Width of a sum, carry included.
@@ -25,21 +25,17 @@ fn sum_width(format: Format) -> u32 {
     precision(format) + EXTRA + 1
 }
 
-fn delays(format: Format) -> Vec<u32> {
-    let sum = sum_width(format);
-    let compare = delay::adder(format.width()) + 2 * delay::LEVEL;
-    let mut delays = vec![compare, delay::shifter(sum)];
-    delays.extend(normalize_sum_delays(format, sum, delay::adder(sum)));
-    delays
-}
-
 /// Module `float_add`.
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_add", "Floating-point sum.", &delays(format), stages);
-    pipe.module.variant("format", format);
-    let (a, b) = (Operand::input(&mut pipe, format, "a"), Operand::input(&mut pipe, format, "b"));
+    pipe::operator("float_add", "Floating-point sum.", stages, |pipe| sum(pipe, format))
+}
 
+fn sum(pipe: &mut Pipe, format: Format) -> Expr {
+    pipe.module.variant("format", format);
+    let (a, b) = (Operand::input(pipe, format, "a"), Operand::input(pipe, format, "b"));
+
+    pipe.takes(delay::adder(format.width()) + 2 * delay::LEVEL);
     let swap = pipe.module.wire("swap", a.magnitude.lt(b.magnitude));
     let sign = pipe.carry("sign", swap.mux(b.sign, a.sign));
     let nan = a.nan | b.nan | (a.infinite & b.infinite & (a.sign ^ b.sign));
@@ -54,10 +50,12 @@ pub fn module(format: Format, stages: u32) -> Operator {
     ]);
 
     let room = lit(EXTRA, 0);
-    let stop = stop(&mut pipe, format, &mut limit, sum_width(format));
+    let stop = stop(pipe, format, &mut limit, sum_width(format));
+    pipe.takes(delay::shifter(sum_width(format)));
     let aligned = shift_right_sticky(cat([small, room]), distance.trunc(format.exponent));
     let [large, aligned] = pipe.cut([("large", large), ("aligned", aligned)]);
 
+    pipe.takes(delay::adder(sum_width(format)));
     let (large, aligned) = (cat([large, room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
     let sum = add_or_subtract(large, aligned, pipe.arrive(&mut subtract));
     normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
@@ -81,15 +79,6 @@ pub(super) struct Sum {
     pub sum: Expr,
 }
 
-/// Delays of [`normalize_sum`]'s segments; the first follows `preceding`.
-pub(super) fn normalize_sum_delays(format: Format, width: u32, preceding: u32) -> Vec<u32> {
-    let mut delays = vec![preceding];
-    delays.extend(shift_out_zeros_delays(width));
-    let shift = delays.pop().unwrap_or(0);
-    delays.extend(round_delays(format, Underflow::Impossible, shift + delay::LEVEL));
-    delays
-}
-
 /// A one at the place in a sum's width that may become the top one: counted among its leading zeros, it leaves a
 /// subnormal result in place, at exponent 1. Nothing if the format flushes those.
 pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: u32) -> Option<Carried> {
@@ -102,7 +91,7 @@ pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: 
 }
 
 /// Takes the sum through a cut, shifts leading zeros out, with the cuts that takes, and rounds.
-pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operator {
+pub(super) fn normalize_sum(pipe: &mut Pipe, format: Format, raw: Sum) -> Expr {
     let Sum { mut sign, mut nan, mut infinite, mut subtract, mut limit, stop, sum } = raw;
     let [sum] = pipe.cut([("sum", sum)]);
 
@@ -114,8 +103,9 @@ pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operato
     let [sign, nan, infinite, subtract] =
         [&mut sign, &mut nan, &mut infinite, &mut subtract].map(|flag| pipe.arrive(flag));
     let special = Special { sign: sign & !(cancelled & subtract), nan, zero: cancelled & !infinite, infinite };
-    let special = special.carry(&pipe);
-    let (sum, shift) = shift_out_zeros(&mut pipe, sum, marked);
+    let special = special.carry(pipe);
+    let (sum, shift) = shift_out_zeros(pipe, sum, marked);
+    pipe.takes(delay::LEVEL);
     let significand = keep_sticky(sum, precision(format) + 2);
     let exponent = pipe.arrive(&mut limit).add_lit(1) - shift.zext(exponent_width(format));
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })

@@ -1,36 +1,36 @@
 //! Comparisons; the result is one bit, 0 if an operand is NaN.
 
 use super::parts::delay;
-use super::parts::operand::{flushed, is_nan, order, order_delay, width};
+use super::parts::operand::{is_nan, order, ordered_inputs, width};
 use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::Format;
+use rtl::Expr;
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
-}
-
-fn delays(format: Format) -> Vec<u32> {
-    vec![order_delay(format) + delay::adder(format.width()) + delay::LEVEL, delay::LEVEL]
+    pipe::stages_for(|pipe| relation(pipe, Relation::Less, format))
 }
 
 /// Module `float_lt`: `a < b`.
 #[must_use]
 pub fn lt(format: Format, stages: u32) -> Operator {
-    module(Relation::Less, format, stages)
+    let summary = "Whether one floating-point number is less than another.";
+    pipe::operator("float_lt", summary, stages, |pipe| relation(pipe, Relation::Less, format))
 }
 
 /// Module `float_le`: `a ≤ b`.
 #[must_use]
 pub fn le(format: Format, stages: u32) -> Operator {
-    module(Relation::LessOrEqual, format, stages)
+    let summary = "Whether one floating-point number is less than another or equal.";
+    pipe::operator("float_le", summary, stages, |pipe| relation(pipe, Relation::LessOrEqual, format))
 }
 
 /// Module `float_eq`: `a = b`.
 #[must_use]
 pub fn eq(format: Format, stages: u32) -> Operator {
-    module(Relation::Equal, format, stages)
+    let summary = "Whether two floating-point numbers are equal.";
+    pipe::operator("float_eq", summary, stages, |pipe| relation(pipe, Relation::Equal, format))
 }
 
 #[derive(Clone, Copy)]
@@ -40,18 +40,10 @@ enum Relation {
     Equal,
 }
 
-fn module(relation: Relation, format: Format, stages: u32) -> Operator {
-    let (unit, summary) = match relation {
-        Relation::Less => ("float_lt", "Whether one floating-point number is less than another."),
-        Relation::LessOrEqual => ("float_le", "Whether one floating-point number is less than another or equal."),
-        Relation::Equal => ("float_eq", "Whether two floating-point numbers are equal."),
-    };
-    let mut pipe = Pipe::new(unit, summary, &delays(format), stages);
+fn relation(pipe: &mut Pipe, relation: Relation, format: Format) -> Expr {
     pipe.module.variant("format", format);
-    let [a, b] = ["a", "b"].map(|name| {
-        let encoded = pipe.module.input(name, width(format));
-        flushed(format, encoded)
-    });
+    let [a, b] = ordered_inputs(pipe, format);
+    pipe.takes(delay::adder(format.width()) + delay::LEVEL);
     let magnitude_bits = width(format) - 1;
     let unordered = is_nan(format, a) | is_nan(format, b);
     let both_zero = (a.trunc(magnitude_bits) | b.trunc(magnitude_bits)).is_zero();
@@ -62,9 +54,10 @@ fn module(relation: Relation, format: Format, stages: u32) -> Operator {
     };
     let [unordered, both_zero, compared] =
         pipe.cut([("unordered", unordered), ("both_zero", both_zero), ("compared", compared)]);
+    pipe.takes(delay::LEVEL);
     let holds = match relation {
         Relation::Less => compared & !both_zero,
         Relation::LessOrEqual | Relation::Equal => compared | both_zero,
     };
-    pipe.finish(holds & !unordered)
+    holds & !unordered
 }

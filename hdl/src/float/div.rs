@@ -5,51 +5,49 @@
 //! the last remainder joins in the sticky bit.
 
 use super::parts::delay;
-use super::parts::operand::{Normalized, Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::operand::{Normalized, Operand, exponent_width, normalize, precision};
 use super::parts::pipe::{self, Operator, Pipe};
-use super::parts::round::{CarriedSpecial, Raw, Special, Underflow, round, round_delays};
+use super::parts::round::{CarriedSpecial, Raw, Special, Underflow, round};
 use super::parts::shift::keep_sticky;
 use pointcore_contract::Format;
-use rtl::{bit, cat, lit};
+use rtl::{Expr, bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
-}
-
-fn delays(format: Format) -> Vec<u32> {
-    let p = format.mantissa + 1;
-    let mut delays = normalize_delays(format, 0);
-    delays.extend((0..p + 2).map(|_| delay::adder(p + 1) + delay::LEVEL));
-    delays.push(delay::reduction(p) + delay::LEVEL);
-    delays.extend(round_delays(format, Underflow::Possible, 0));
-    delays
+    pipe::stages_for(|pipe| division(pipe, format))
 }
 
 /// Module `float_div`: `a / b`.
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_div", "Floating-point quotient, correctly rounded.", &delays(format), stages);
-    let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
+    pipe::operator("float_div", "Floating-point quotient, correctly rounded.", stages, |pipe| division(pipe, format))
+}
+
+fn division(pipe: &mut Pipe, format: Format) -> Expr {
+    let [a, b] = ["a", "b"].map(|name| Operand::input(pipe, format, name));
     let special = Special {
         sign: a.sign ^ b.sign,
         nan: a.nan | b.nan | (a.zero & b.zero) | (a.infinite & b.infinite),
         infinite: a.infinite | b.zero,
         zero: a.zero | b.infinite,
     };
-    let special = special.carry(&pipe);
-    let [a, b] = normalize(&mut pipe, format, [&a, &b]);
+    let special = special.carry(pipe);
+    let [a, b] = normalize(pipe, format, [&a, &b]);
     quotient(pipe, format, special, &a, &b)
 }
 
 /// Module `float_recip`: `1 / a`.
 #[must_use]
 pub fn recip(format: Format, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_recip", "Floating-point reciprocal, correctly rounded.", &delays(format), stages);
-    let a = Operand::input(&mut pipe, format, "a");
-    let special = recip_special(&a).carry(&pipe);
-    let [a] = normalize(&mut pipe, format, [&a]);
+    let summary = "Floating-point reciprocal, correctly rounded.";
+    pipe::operator("float_recip", summary, stages, |pipe| reciprocal(pipe, format))
+}
+
+fn reciprocal(pipe: &mut Pipe, format: Format) -> Expr {
+    let a = Operand::input(pipe, format, "a");
+    let special = recip_special(&a).carry(pipe);
+    let [a] = normalize(pipe, format, [&a]);
     let one = Normalized {
         exponent: lit(exponent_width(format), format.bias() as u128),
         significand: lit(precision(format), 1 << format.mantissa),
@@ -63,7 +61,7 @@ pub(super) fn recip_special(a: &Operand) -> Special {
 }
 
 /// `a / b` of normalized operands.
-fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normalized, b: &Normalized) -> Operator {
+fn quotient(pipe: &mut Pipe, format: Format, special: CarriedSpecial, a: &Normalized, b: &Normalized) -> Expr {
     pipe.module.variant("format", format);
     let (p, exponent_bits) = (precision(format), exponent_width(format));
     let bias = lit(exponent_bits, format.bias() as u128);
@@ -73,6 +71,7 @@ fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normali
 
     let mut quotient = None;
     for _ in 0..p + 2 {
+        pipe.takes(delay::adder(p + 1) + delay::LEVEL);
         let difference = remainder.zext(p + 2) - pipe.arrive(&mut divisor).zext(p + 2);
         let digit = !difference.msb();
         let kept = digit.mux(difference.trunc(p), remainder.trunc(p));
@@ -83,6 +82,7 @@ fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normali
     }
     let quotient = quotient.expect("there are p + 2 digits");
 
+    pipe.takes(delay::reduction(p) + delay::LEVEL);
     let below_one = !quotient.msb();
     let digits = cat([quotient, remainder.any()]);
     let exponent = pipe.arrive(&mut exponent) - below_one.zext(exponent_bits);

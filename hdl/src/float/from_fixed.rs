@@ -3,26 +3,15 @@
 use super::parts::delay;
 use super::parts::operand::{precision, signed, signed_width};
 use super::parts::pipe::{self, Operator, Pipe};
-use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::round::{Raw, Special, Underflow, round};
 use super::parts::shift::{keep_sticky, leading_zeros};
 use pointcore_contract::{Fixed, Format, Signedness};
-use rtl::bit;
+use rtl::{Expr, bit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format, fixed: Fixed) -> u32 {
-    pipe::stages_for(&delays(format, fixed))
-}
-
-fn delays(format: Format, fixed: Fixed) -> Vec<u32> {
-    let absolute = match fixed.signed {
-        Signedness::Signed => delay::adder(fixed.width) + delay::LEVEL,
-        Signedness::Unsigned => 0,
-    };
-    let mut delays = vec![absolute, delay::leading_zeros(fixed.width)];
-    let preceding = delay::shifter(fixed.width) + delay::reduction(fixed.width);
-    delays.extend(round_delays(format, underflow(format, fixed), preceding));
-    delays
+    pipe::stages_for(|pipe| conversion(pipe, format, fixed))
 }
 
 /// Whether the last place lies below the normal numbers.
@@ -33,18 +22,26 @@ fn underflow(format: Format, fixed: Fixed) -> Underflow {
 /// Module `float_from_fixed`.
 #[must_use]
 pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_from_fixed", "Fixed to floating point.", &delays(format, fixed), stages);
-    fixed_parameters(&mut pipe, format, fixed);
+    pipe::operator("float_from_fixed", "Fixed to floating point.", stages, |pipe| conversion(pipe, format, fixed))
+}
+
+fn conversion(pipe: &mut Pipe, format: Format, fixed: Fixed) -> Expr {
+    fixed_parameters(pipe, format, fixed);
     let width = fixed.width;
     let a = pipe.module.input("a", width);
     let (sign, magnitude) = match fixed.signed {
-        Signedness::Signed => (a.msb(), a.msb().mux((!a).add_lit(1), a)),
+        Signedness::Signed => {
+            pipe.takes(delay::adder(width) + delay::LEVEL);
+            (a.msb(), a.msb().mux((!a).add_lit(1), a))
+        }
         Signedness::Unsigned => (bit(false), a),
     };
-    let special = Special { sign, nan: bit(false), infinite: bit(false), zero: magnitude.is_zero() }.carry(&pipe);
+    let special = Special { sign, nan: bit(false), infinite: bit(false), zero: magnitude.is_zero() }.carry(pipe);
     let [magnitude] = pipe.cut([("magnitude", magnitude)]);
+    pipe.takes(delay::leading_zeros(width));
     let [magnitude, zeros] = pipe.cut([("magnitude", magnitude), ("zeros", leading_zeros(magnitude))]);
 
+    pipe.takes(delay::shifter(width) + delay::reduction(width));
     let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
     let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent + 1);
     let exponent = signed(bits, top) - zeros.zext(bits);

@@ -5,31 +5,17 @@ use super::parts::delay;
 use super::parts::newton::{
     INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction,
 };
-use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::operand::{Operand, exponent_width, normalize, precision};
 use super::parts::pipe::{self, Operator, Pipe};
-use super::parts::product::{product, product_delays};
-use super::parts::round::{Underflow, round_delays};
+use super::parts::product::product;
+use super::parts::round::Underflow;
 use pointcore_contract::Format;
-use rtl::lit;
+use rtl::{Expr, lit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
-}
-
-fn delays(format: Format) -> Vec<u32> {
-    let (p, fraction) = (format.mantissa + 1, fraction_bits(format));
-    let mut delays = normalize_delays(format, 0);
-    delays.push(3 * delay::LEVEL);
-    for step in 0..steps(format) {
-        let iterate = iterate_fraction(format, step) + 1;
-        delays.extend(product_delays(p, iterate));
-        delays.push(delay::adder(fraction + 1));
-        delays.extend(product_delays(iterate, fraction + 1));
-    }
-    delays.extend(round_delays(format, Underflow::Possible, delay::LEVEL));
-    delays
+    pipe::stages_for(|pipe| reciprocal(pipe, format))
 }
 
 /// `1 / (1 + (2i + 1)/256)`, the middle of interval `i` of 128.
@@ -42,29 +28,34 @@ fn seeds() -> Vec<u128> {
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let summary = "Floating-point reciprocal by table and Newton steps.";
-    let mut pipe = Pipe::new("float_recip_newton", summary, &delays(format), stages);
+    pipe::operator("float_recip_newton", summary, stages, |pipe| reciprocal(pipe, format))
+}
+
+fn reciprocal(pipe: &mut Pipe, format: Format) -> Expr {
     pipe.module.variant("format", format);
     let (p, fraction) = (precision(format), fraction_bits(format));
-    let a = Operand::input(&mut pipe, format, "a");
-    let special = recip_special(&a).carry(&pipe);
-    let [a] = normalize(&mut pipe, format, [&a]);
+    let a = Operand::input(pipe, format, "a");
+    let special = recip_special(&a).carry(pipe);
+    let [a] = normalize(pipe, format, [&a]);
 
     let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - a.exponent;
     let mut exponent = pipe.carry("exponent", exponent);
     let mut m = pipe.carry("m", a.significand);
     let [index] = pipe.cut([("index", top_fraction(a.significand, INDEX_BITS))]);
+    pipe.takes(3 * delay::LEVEL);
     let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, index);
     let [mut y] = pipe.cut([("y", seed)]);
     for step in 0..steps(format) {
         let y_fraction = iterate_fraction(format, step);
         let mut iterate = pipe.carry("iterate", y);
         let current_m = pipe.arrive(&mut m);
-        let my = product(&mut pipe, current_m, y);
+        let my = product(pipe, current_m, y);
         let [my] = pipe.cut([("my", floor(my, p - 1 + y_fraction, fraction, fraction + 1))]);
+        pipe.takes(delay::adder(fraction + 1));
         // Modulo 2^(F+1), where 2 is zero.
         let [e] = pipe.cut([("e", (lit(fraction + 1, 0) - my))]);
         let previous = pipe.arrive(&mut iterate);
-        let ye = product(&mut pipe, previous, e);
+        let ye = product(pipe, previous, e);
         [y] = pipe.cut([("y", floor(ye, y_fraction + fraction, fraction, fraction + 1))]);
     }
     let exponent = pipe.arrive(&mut exponent);

@@ -10,39 +10,34 @@
 //! is constant one; for `m = 1` all digits are ones and rounding gives the exact result.
 
 use super::parts::delay;
-use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::operand::{Operand, exponent_width, normalize, precision};
 use super::parts::pipe::{self, Operator, Pipe};
-use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::round::{Raw, Special, Underflow, round};
 use super::sqrt::even_exponent;
 use pointcore_contract::Format;
-use rtl::{bit, cat, lit};
+use rtl::{Expr, bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
-}
-
-fn delays(format: Format) -> Vec<u32> {
-    let p = format.mantissa + 1;
-    let mut delays = normalize_delays(format, delay::LEVEL);
-    delays.push(delay::adder(p + 3));
-    delays.extend((2..=p + 1).map(|digit| delay::adder(p + 2 + digit) + delay::LEVEL));
-    delays.extend(round_delays(format, Underflow::Impossible, 0));
-    delays
+    pipe::stages_for(|pipe| root(pipe, format))
 }
 
 /// Module `float_rsqrt`.
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
     let summary = "Floating-point reciprocal square root, correctly rounded.";
-    let mut pipe = Pipe::new("float_rsqrt", summary, &delays(format), stages);
+    pipe::operator("float_rsqrt", summary, stages, |pipe| root(pipe, format))
+}
+
+fn root(pipe: &mut Pipe, format: Format) -> Expr {
     pipe.module.variant("format", format);
     let p = precision(format);
-    let a = Operand::input(&mut pipe, format, "a");
-    let special = rsqrt_special(&a).carry(&pipe);
-    let [a] = normalize(&mut pipe, format, [&a]);
+    let a = Operand::input(pipe, format, "a");
+    let special = rsqrt_special(&a).carry(pipe);
+    let [a] = normalize(pipe, format, [&a]);
 
+    pipe.takes(delay::LEVEL);
     let (m, half) = even_exponent(format, &a);
     // The root's leading one stands for 1/2.
     let exponent = lit(exponent_width(format), (2 * format.bias() - 1) as u128) - half;
@@ -51,6 +46,7 @@ pub fn module(format: Format, stages: u32) -> Operator {
     pipe.cut([]);
 
     // Y_1 = 1/2: w_1 = 2 − m/2 with p fraction bits, u_2 = 5m/4 with p + 1.
+    pipe.takes(delay::adder(p + 3));
     let first = pipe.arrive(&mut m);
     let mut triple = pipe.carry("triple", first.zext(p + 3) + (first.zext(p + 3) << 1));
     let [mut residual, mut threshold] = pipe.cut([
@@ -62,6 +58,7 @@ pub fn module(format: Format, stages: u32) -> Operator {
     for digit in 2..=p + 1 {
         // Sign, three integer bits, p − 1 + digit fraction bits.
         let bits = p + digit + 3;
+        pipe.takes(delay::adder(p + 2 + digit) + delay::LEVEL);
         let doubled = cat([residual, lit(2, 0)]).zext(bits);
         let difference = doubled - threshold.zext(bits);
         let reached = !difference.msb();

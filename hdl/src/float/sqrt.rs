@@ -5,25 +5,16 @@
 //! radicand reach four times the root and one. The remainder left after `p + 1` digits is the sticky bit.
 
 use super::parts::delay;
-use super::parts::operand::{Normalized, Operand, normalize, normalize_delays, precision};
+use super::parts::operand::{Normalized, Operand, normalize, precision};
 use super::parts::pipe::{self, Operator, Pipe};
-use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::round::{Raw, Special, Underflow, round};
 use pointcore_contract::Format;
 use rtl::{Expr, bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format) -> u32 {
-    pipe::stages_for(&delays(format))
-}
-
-fn delays(format: Format) -> Vec<u32> {
-    let p = format.mantissa + 1;
-    let mut delays = normalize_delays(format, delay::LEVEL);
-    // The digit chooses among all bits of the remainder, from one end of a carry chain.
-    delays.extend((1..=p).map(|digits| delay::adder(digits + 3) + 2 * delay::LEVEL));
-    delays.extend(round_delays(format, Underflow::Impossible, delay::reduction(p)));
-    delays
+    pipe::stages_for(|pipe| root(pipe, format))
 }
 
 /// The parity-adjusted significand in [1, 4) of `p + 1` bits, and half the even exponent that goes with it, plus bias.
@@ -38,14 +29,18 @@ pub(super) fn even_exponent(format: Format, operand: &Normalized) -> (Expr, Expr
 /// Module `float_sqrt`.
 #[must_use]
 pub fn module(format: Format, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_sqrt", "Floating-point square root, correctly rounded.", &delays(format), stages);
+    pipe::operator("float_sqrt", "Floating-point square root, correctly rounded.", stages, |pipe| root(pipe, format))
+}
+
+fn root(pipe: &mut Pipe, format: Format) -> Expr {
     pipe.module.variant("format", format);
     let p = precision(format);
-    let a = Operand::input(&mut pipe, format, "a");
+    let a = Operand::input(pipe, format, "a");
     let special = Special { nan: a.nan | (a.sign & !a.zero), sign: a.sign, infinite: a.infinite, zero: a.zero };
-    let special = special.carry(&pipe);
-    let [a] = normalize(&mut pipe, format, [&a]);
+    let special = special.carry(pipe);
+    let [a] = normalize(pipe, format, [&a]);
 
+    pipe.takes(delay::LEVEL);
     let (radicand, exponent) = even_exponent(format, &a);
     let mut exponent = pipe.carry("exponent", exponent);
     let mut pending = pipe.carry("pending", radicand.trunc(p - 1));
@@ -54,6 +49,8 @@ pub fn module(format: Format, stages: u32) -> Operator {
 
     let mut root = bit(true);
     for digits in 1..=p {
+        // The digit chooses among all bits of the remainder, from one end of a carry chain.
+        pipe.takes(delay::adder(digits + 3) + 2 * delay::LEVEL);
         let unread = pipe.arrive(&mut pending);
         let reach = cat([remainder, next_pair(unread)]);
         let trial = cat([root, lit(2, 1)]);
@@ -65,6 +62,7 @@ pub fn module(format: Format, stages: u32) -> Operator {
         [remainder, root] = pipe.cut([("remainder", kept), ("root", cat([root, digit]))]);
     }
 
+    pipe.takes(delay::reduction(p));
     let significand = cat([root, remainder.any()]);
     let exponent = pipe.arrive(&mut exponent);
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })

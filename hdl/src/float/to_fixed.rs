@@ -2,15 +2,15 @@
 
 use super::from_fixed::fixed_parameters;
 use super::parts::delay;
-use super::parts::operand::{Normalized, Operand, normalize, normalize_delays, precision, signed, signed_width};
+use super::parts::operand::{Normalized, Operand, normalize, precision, signed, signed_width};
 use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::{Fixed, Format, Signedness, Subnormals};
-use rtl::lit;
+use rtl::{Expr, lit};
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(format: Format, fixed: Fixed) -> u32 {
-    pipe::stages_for(&delays(format, fixed))
+    pipe::stages_for(|pipe| conversion(pipe, format, fixed))
 }
 
 /// Width in which the significand is shifted.
@@ -28,28 +28,25 @@ fn integer_bits(format: Format, fixed: Fixed, exponent: i32) -> i32 {
     exponent - format.bias() + fixed.fraction as i32 + 1
 }
 
-fn delays(format: Format, fixed: Fixed) -> Vec<u32> {
-    let exponent = delay::adder(format.exponent + 1) + 2 * delay::LEVEL;
-    let mut delays = if normalizes(format, fixed) { normalize_delays(format, exponent) } else { vec![exponent] };
-    delays.extend([delay::shifter(shifted_width(format, fixed)), delay::adder(fixed.width) + 2 * delay::LEVEL]);
-    delays
-}
-
 /// Module `float_to_fixed`.
 #[must_use]
 pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_to_fixed", "Floating to fixed point.", &delays(format, fixed), stages);
-    fixed_parameters(&mut pipe, format, fixed);
-    let a = Operand::input(&mut pipe, format, "a");
+    pipe::operator("float_to_fixed", "Floating to fixed point.", stages, |pipe| conversion(pipe, format, fixed))
+}
+
+fn conversion(pipe: &mut Pipe, format: Format, fixed: Fixed) -> Expr {
+    fixed_parameters(pipe, format, fixed);
+    let a = Operand::input(pipe, format, "a");
     let [mut sign, mut nan] = [pipe.carry("sign", a.sign), pipe.carry("nan", a.nan)];
     let mut flags = [pipe.carry("infinite", a.infinite), pipe.carry("zero", a.zero)];
     let a = if normalizes(format, fixed) {
-        let [normalized] = normalize(&mut pipe, format, [&a]);
+        let [normalized] = normalize(pipe, format, [&a]);
         normalized
     } else {
         Normalized { exponent: a.exponent, significand: a.significand }
     };
 
+    pipe.takes(delay::adder(format.exponent + 1) + 2 * delay::LEVEL);
     let width = fixed.width;
     let magnitude_bits = match fixed.signed {
         Signedness::Signed => width - 1,
@@ -69,12 +66,14 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
         ("significand", a.significand),
     ]);
 
+    pipe.takes(delay::shifter(wide));
     let padded = significand.zext(wide) << (wide - precision(format));
     let [magnitude] = pipe.cut([("magnitude", padded.shr_by(distance).trunc(width))]);
 
     let [mut vanishes, mut saturates] = [vanishes, saturates];
     let [sign, nan, vanishes, saturates] =
         [&mut sign, &mut nan, &mut vanishes, &mut saturates].map(|flag| pipe.arrive(flag));
+    pipe.takes(delay::adder(width) + 2 * delay::LEVEL);
     let largest = (1 << magnitude_bits) - 1;
     let (value, limit, cleared) = match fixed.signed {
         Signedness::Signed => {
@@ -83,5 +82,5 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
         }
         Signedness::Unsigned => (magnitude, lit(width, largest), vanishes | nan | sign),
     };
-    pipe.finish(cleared.mux(lit(width, 0), saturates.mux(limit, value)))
+    cleared.mux(lit(width, 0), saturates.mux(limit, value))
 }

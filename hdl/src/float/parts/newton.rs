@@ -1,7 +1,8 @@
 //! What the Newton variants of reciprocal and reciprocal square root have in common.
 
+use super::delay;
 use super::operand::{exponent_width, precision};
-use super::pipe::{Operator, Pipe};
+use super::pipe::Pipe;
 use super::round::{CarriedSpecial, Raw, Underflow, round};
 use super::shift::keep_sticky;
 use pointcore_contract::Format;
@@ -43,13 +44,14 @@ pub(crate) fn floor(value: Expr, from: u32, to: u32, width: u32) -> Expr {
 
 /// Normalizes an iterate in (1/2, 1] whose one has that biased exponent, and rounds it.
 pub(crate) fn finish(
-    pipe: Pipe,
+    pipe: &mut Pipe,
     format: Format,
     underflow: Underflow,
     special: CarriedSpecial,
     exponent: Expr,
     y: Expr,
-) -> Operator {
+) -> Expr {
+    pipe.takes(delay::LEVEL);
     let below_one = !y.msb();
     let normalized = below_one.mux(y << 1, y);
     let raw = Raw {

@@ -84,9 +84,11 @@ pub(crate) struct Normalized {
 
 /// Normalizes operands. Takes one cut, none if the format flushes subnormal numbers.
 pub(crate) fn normalize<const N: usize>(pipe: &mut Pipe, format: Format, operands: [&Operand; N]) -> [Normalized; N] {
+    pipe.takes(delay::LEVEL);
     if format.subnormals == Subnormals::Flush {
         return operands.map(|operand| Normalized { exponent: operand.exponent, significand: operand.significand });
     }
+    pipe.takes(delay::leading_zeros(precision(format)));
     let mut carried = operands.map(|operand| {
         let carry = |field: &str, value: Expr| pipe.carry(&format!("{}_{field}", operand.name), value);
         [
@@ -96,23 +98,28 @@ pub(crate) fn normalize<const N: usize>(pipe: &mut Pipe, format: Format, operand
         ]
     });
     pipe.cut([]);
+    pipe.takes(delay::shifter(precision(format)));
     carried.each_mut().map(|values| {
         let [zeros, exponent, significand] = values.each_mut().map(|value| pipe.arrive(value));
         Normalized { exponent: exponent - zeros.zext(exponent.width()), significand: significand.shl_by(zeros) }
     })
 }
 
-/// Delays of [`normalize`]'s segments, to which `following` on the far side of its cut is added.
-pub(crate) fn normalize_delays(format: Format, following: u32) -> Vec<u32> {
-    let p = format.mantissa + 1;
-    match format.subnormals {
-        Subnormals::Keep => vec![delay::leading_zeros(p) + delay::LEVEL, delay::shifter(p) + following],
-        Subnormals::Flush => vec![delay::LEVEL + following],
-    }
+/// The encoded numbers in the input ports `a` and `b`, subnormal ones as zero if the format flushes them, on their way to
+/// a comparison by [`order`].
+pub(crate) fn ordered_inputs(pipe: &mut Pipe, format: Format) -> [Expr; 2] {
+    pipe.takes(match format.subnormals {
+        Subnormals::Keep => delay::LEVEL,
+        Subnormals::Flush => delay::LEVEL + delay::reduction(format.exponent),
+    });
+    ["a", "b"].map(|name| {
+        let encoded = pipe.module.input(name, width(format));
+        flushed(format, encoded)
+    })
 }
 
 /// An encoded number, subnormal ones as zero if the format flushes them.
-pub(crate) fn flushed(format: Format, encoded: Expr) -> Expr {
+fn flushed(format: Format, encoded: Expr) -> Expr {
     if format.subnormals == Subnormals::Keep {
         return encoded;
     }
@@ -131,14 +138,6 @@ pub(crate) fn is_nan(format: Format, encoded: Expr) -> Expr {
 pub(crate) fn order(encoded: Expr) -> Expr {
     let (sign, magnitude_bits) = (encoded.msb(), encoded.width() - 1);
     cat([!sign, (encoded.trunc(magnitude_bits) ^ sign.repeat(magnitude_bits))])
-}
-
-/// Delay of [`flushed`] and [`order`].
-pub(crate) const fn order_delay(format: Format) -> u32 {
-    match format.subnormals {
-        Subnormals::Keep => delay::LEVEL,
-        Subnormals::Flush => delay::LEVEL + delay::reduction(format.exponent),
-    }
 }
 
 /// A constant in two's complement.

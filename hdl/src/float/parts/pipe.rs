@@ -15,14 +15,46 @@ pub struct Operator {
 
 /// A module under description whose logic is a chain with marked cuts, some of which become registers.
 ///
-/// The delays of all segments are given beforehand, so the requested registers can be placed where the slowest stage
-/// comes out fastest. Every segment ends at a cut, the last one at the output, which is always a register.
+/// The description says what each step [takes](Pipe::takes). It is followed twice: first without registers, to learn how long
+/// the segments between the cuts are; then with the registers where the slowest stage comes out fastest. Every segment ends
+/// at a cut, the last one at the output, which is always a register.
 pub struct Pipe {
     /// The module, for anything beside cuts.
     pub module: Module,
     enable: Expr,
+    /// Which cuts are registers; none while the segments are measured.
     registered: Vec<bool>,
-    cuts_passed: usize,
+    /// Delays of the segments so far, the current one's last.
+    segments: Vec<u32>,
+}
+
+/// The operator of that description with a register at `stages` of its cuts; at least at the output, at most at all.
+#[must_use]
+#[track_caller]
+pub(crate) fn operator(unit: &str, summary: &str, stages: u32, describe: impl Fn(&mut Pipe) -> Expr) -> Operator {
+    let registered = place(&segments(&describe), stages as usize);
+    let mut pipe = Pipe::new(unit, summary, registered);
+    let result = describe(&mut pipe);
+    pipe.finish(result)
+}
+
+/// The fewest stages that keep every stage of that description within [`delay::STAGE`], as far as single segments do.
+#[must_use]
+pub(crate) fn stages_for(describe: impl Fn(&mut Pipe) -> Expr) -> u32 {
+    count(&fill(&segments(describe), delay::STAGE)) as u32
+}
+
+/// The cuts of that description, the output's included: the most stages it can have.
+#[must_use]
+pub(crate) fn cuts(describe: impl Fn(&mut Pipe) -> Expr) -> u32 {
+    segments(describe).len() as u32
+}
+
+/// Delays of a description's segments.
+fn segments(describe: impl Fn(&mut Pipe) -> Expr) -> Vec<u32> {
+    let mut pipe = Pipe::new("measured", "A description without registers.", vec![]);
+    describe(&mut pipe);
+    pipe.segments
 }
 
 /// A value on its way down a [`Pipe`], registered as far as it is followed.
@@ -33,27 +65,34 @@ pub struct Carried {
 }
 
 impl Pipe {
-    /// A module with port `enable` and a register at `stages` of the cuts that end the segments of those `delays`; at
-    /// least at the last one, at most at all.
-    ///
-    /// # Panics
-    /// If `delays` is empty.
-    #[must_use]
+    /// A module with port `enable`.
     #[track_caller]
-    pub fn new(unit: &str, summary: &str, delays: &[u32], stages: u32) -> Self {
-        assert!(!delays.is_empty(), "a pipe has at least the output's cut");
+    fn new(unit: &str, summary: &str, registered: Vec<bool>) -> Self {
         let mut module = Module::new(unit, summary);
-        let registered = place(delays, stages as usize);
         module.variant("stages", count(&registered));
         let enable = module.input("enable", 1);
-        Self { module, enable, registered, cuts_passed: 0 }
+        Self { module, enable, registered, segments: vec![0] }
+    }
+
+    /// What is described next takes that long, behind what the current segment has had before.
+    pub fn takes(&mut self, delay: u32) {
+        *self.segments.last_mut().expect("a pipe begins with a segment") += delay;
+    }
+
+    /// [`takes`](Self::takes) the longest of the paths that lie side by side.
+    pub fn takes_longest<const N: usize>(&mut self, paths: [u32; N]) {
+        self.takes(paths.into_iter().max().unwrap_or(0));
+    }
+
+    fn cuts_passed(&self) -> usize {
+        self.segments.len() - 1
     }
 
     /// Ends the current segment and takes these values into the next.
     #[track_caller]
     pub fn cut<const N: usize>(&mut self, values: [(&str, Expr); N]) -> [Expr; N] {
         let mut carried = values.map(|(name, value)| self.carry(name, value));
-        self.cuts_passed += 1;
+        self.segments.push(0);
         carried.each_mut().map(|value| self.arrive(value))
     }
 
@@ -61,32 +100,27 @@ impl Pipe {
     #[must_use]
     #[track_caller]
     pub fn carry(&self, name: &str, value: Expr) -> Carried {
-        Carried { name: name.into(), value, cuts_passed: self.cuts_passed }
+        Carried { name: name.into(), value, cuts_passed: self.cuts_passed() }
     }
 
     /// A carried value in the current segment.
     #[track_caller]
     pub fn arrive(&mut self, carried: &mut Carried) -> Expr {
-        for cut in carried.cuts_passed..self.cuts_passed {
-            if self.registered[cut] && carried.value.literal_value().is_none() {
+        for cut in carried.cuts_passed..self.cuts_passed() {
+            if self.registered.get(cut) == Some(&true) && carried.value.literal_value().is_none() {
                 let stage = count(&self.registered[..=cut]);
                 let register = self.module.reg(&format!("{}_s{stage}", carried.name), carried.value.width());
                 self.module.next_if(register, self.enable, carried.value);
                 carried.value = register.expr();
             }
         }
-        carried.cuts_passed = self.cuts_passed;
+        carried.cuts_passed = self.cuts_passed();
         carried.value
     }
 
     /// Registers the result and drives port `y` with it.
-    ///
-    /// # Panics
-    /// If the description has not as many segments as there are delays.
-    #[must_use]
     #[track_caller]
-    pub fn finish(mut self, result: Expr) -> Operator {
-        assert_eq!(self.cuts_passed + 1, self.registered.len(), "segments and delays of {} differ", self.module.unit());
+    fn finish(mut self, result: Expr) -> Operator {
         let y = self.module.reg("y", result.width());
         self.module.next_if(y, self.enable, result);
         self.module.output("y", y);
@@ -96,12 +130,6 @@ impl Pipe {
 
 fn count(registered: &[bool]) -> usize {
     registered.iter().filter(|&&registered| registered).count()
-}
-
-/// The fewest stages that keep every stage within [`delay::STAGE`], as far as single segments do.
-#[must_use]
-pub(crate) fn stages_for(delays: &[u32]) -> u32 {
-    count(&fill(delays, delay::STAGE)) as u32
 }
 
 /// Which cuts become registers so that the longest stage is as short as it can be.
@@ -156,10 +184,38 @@ mod tests {
         }
     }
 
+    /// The segments of those delays, a register of one bit wherever a cut becomes one.
+    fn chain(pipe: &mut Pipe, delays: &[u32]) -> Expr {
+        let mut value = pipe.module.input("a", 1);
+        for (segment, &delay) in delays.iter().enumerate() {
+            if segment > 0 {
+                [value] = pipe.cut([("value", value)]);
+            }
+            pipe.takes(delay);
+        }
+        value
+    }
+
     #[test]
     fn default_keeps_to_the_budget() {
-        assert_eq!(stages_for(&[delay::STAGE, delay::STAGE]), 2);
-        assert_eq!(stages_for(&[delay::STAGE / 2, delay::STAGE / 2]), 1);
-        assert_eq!(stages_for(&[2 * delay::STAGE, 1]), 2);
+        let stages = |delays: &[u32]| stages_for(|pipe| chain(pipe, delays));
+        assert_eq!(stages(&[delay::STAGE, delay::STAGE]), 2);
+        assert_eq!(stages(&[delay::STAGE / 2, delay::STAGE / 2]), 1);
+        assert_eq!(stages(&[2 * delay::STAGE, 1]), 2);
+    }
+
+    #[test]
+    fn segments_are_what_the_description_takes() {
+        let found = segments(|pipe| {
+            let a = pipe.module.input("a", 1);
+            pipe.takes(3);
+            pipe.takes_longest([4, 9]);
+            let [a] = pipe.cut([("a", a)]);
+            pipe.cut([]);
+            pipe.takes(5);
+            a
+        });
+        assert_eq!(found, [12, 0, 5]);
+        assert_eq!(operator("chain", "A chain.", 2, |pipe| chain(pipe, &[9, 1, 1])).latency, 2);
     }
 }

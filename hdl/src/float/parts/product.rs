@@ -17,6 +17,11 @@ fn parts(operand: Expr) -> Vec<(u32, Expr)> {
     vec![(0, operand.trunc(half)), (half, operand.bits(width - 1, half))]
 }
 
+/// Whether a product of those widths takes several multipliers.
+pub(crate) fn is_pieced(left: u32, right: u32) -> bool {
+    left.max(right) > MULTIPLIER_WIDTH
+}
+
 /// `left · right`, the full width. Takes a cut behind the multipliers if more than one is needed.
 pub(crate) fn product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
     let width = left.width() + right.width();
@@ -28,6 +33,7 @@ pub(crate) fn product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
             partial.push((place, pipe.carry(&name, left_part * right_part)));
         }
     }
+    pipe.takes(delay::MULTIPLIER);
     if partial.len() > 1 {
         pipe.cut([]);
     }
@@ -38,15 +44,6 @@ pub(crate) fn product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
         let high = terms.remove(3);
         terms[0] = terms[0] | high;
     }
+    pipe.takes((terms.len() as u32 - 1) * delay::adder(width));
     terms.into_iter().reduce(|sum, term| sum + term).expect("an operand has a part")
-}
-
-/// Delays of [`product`]'s segments.
-pub(crate) fn product_delays(left: u32, right: u32) -> Vec<u32> {
-    let wide = |width: u32| width > MULTIPLIER_WIDTH;
-    match (wide(left), wide(right)) {
-        (false, false) => vec![delay::MULTIPLIER],
-        (true, true) => vec![delay::MULTIPLIER, 2 * delay::adder(left + right)],
-        _ => vec![delay::MULTIPLIER, delay::adder(left + right)],
-    }
 }

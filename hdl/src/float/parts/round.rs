@@ -2,7 +2,7 @@
 
 use super::delay;
 use super::operand::{precision, width};
-use super::pipe::{Carried, Operator, Pipe};
+use super::pipe::{Carried, Pipe};
 use super::shift::shift_right_sticky;
 use pointcore_contract::{Format, Subnormals};
 use rtl::{Expr, cat, lit};
@@ -66,35 +66,25 @@ pub(crate) struct Raw {
     pub significand: Expr,
 }
 
-/// Rounds and ends the description. Takes a cut right away, one more to shift a result into subnormal position, one before
+/// Rounds, and is the end of the description. Takes a cut right away, one more to shift a result into subnormal position, one before
 /// the choice among number and special cases, and the output's.
-pub(crate) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: Raw) -> Operator {
+pub(crate) fn round(pipe: &mut Pipe, format: Format, underflow: Underflow, raw: Raw) -> Expr {
     let Raw { special, exponent, significand } = raw;
     let (exponent, significand) = if underflow.shifts(format) {
+        pipe.takes(delay::adder(format.exponent) + delay::LEVEL);
         let small = exponent.msb() | exponent.is_zero();
         let one = lit(exponent.width(), 1);
         let mut clamped = pipe.carry("exponent", small.mux(one, exponent));
         let distance = (one - exponent) & small.repeat(exponent.width());
         let [distance, significand] = pipe.cut([("distance", distance), ("significand", significand)]);
+        pipe.takes(delay::shifter(format.mantissa + 3));
         let [significand] = pipe.cut([("significand", shift_right_sticky(significand, distance))]);
         (pipe.arrive(&mut clamped), significand)
     } else {
         let [exponent, significand] = pipe.cut([("exponent", exponent), ("significand", significand)]);
         (exponent, significand)
     };
-    let result = pack(&mut pipe, format, special, exponent, significand);
-    pipe.finish(result)
-}
-
-/// Delays of [`round`]'s segments, the first following `preceding`.
-pub(crate) fn round_delays(format: Format, underflow: Underflow, preceding: u32) -> Vec<u32> {
-    let pack = [delay::adder(format.width()) + delay::LEVEL, delay::LEVEL];
-    if underflow.shifts(format) {
-        let distance = delay::adder(format.exponent) + delay::LEVEL;
-        [preceding + distance, delay::shifter(format.mantissa + 3)].into_iter().chain(pack).collect()
-    } else {
-        [preceding].into_iter().chain(pack).collect()
-    }
+    pack(pipe, format, special, exponent, significand)
 }
 
 /// Rounds the significand and encodes the number.
@@ -110,6 +100,7 @@ fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: Expr
         Subnormals::Keep => low & leading.repeat(exponent_bits),
         Subnormals::Flush => low,
     };
+    pipe.takes(delay::adder(format.width()) + delay::LEVEL);
     // A carry out of the fraction increments the exponent, up to infinity.
     let rounded = pipe.module.wire("rounded", cat([field, fraction]) + round_up.zext(mantissa + exponent_bits));
     let negative = exponent.msb();
@@ -126,6 +117,7 @@ fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: Expr
     let infinite = infinite | overflow;
     let [sign, nan, infinite, zero, rounded] =
         pipe.cut([("sign", sign), ("nan", nan), ("infinite", infinite), ("zero", zero), ("rounded", rounded)]);
+    pipe.takes(delay::LEVEL);
     let magnitude = zero.mux(lit(width(format) - 1, 0), infinite.mux(infinity, rounded));
     let quiet_nan = lit(width(format), u128::from(format.quiet_nan()));
     nan.mux(quiet_nan, cat([sign, magnitude]))

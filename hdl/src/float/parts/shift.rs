@@ -36,7 +36,9 @@ const GROUP: u32 = 16;
 pub(crate) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Expr, Expr) {
     let width = value.width();
     if width <= WIDE {
+        pipe.takes(delay::leading_zeros(width));
         let [value, zeros] = pipe.cut([("value", value), ("zeros", leading_zeros(marked))]);
+        pipe.takes(delay::shifter(width));
         return (value.shl_by(zeros), zeros);
     }
     let missing = width.next_multiple_of(GROUP) - width;
@@ -49,8 +51,10 @@ pub(crate) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Ex
             (pipe.carry(&format!("empty_{group}"), empty), pipe.carry(&format!("zeros_{group}"), zeros))
         })
         .collect();
+    pipe.takes(delay::leading_zeros(GROUP));
     let [value] = pipe.cut([("value", value)]);
 
+    pipe.takes(delay::leading_zeros(groups) + delay::shifter(groups));
     let index_bits = groups.next_power_of_two().trailing_zeros();
     let place = |group: u32, zeros: Expr| cat([lit(index_bits, group.into()), zeros]);
     let mut zeros = place(groups - 1, pipe.arrive(&mut counts[groups as usize - 1].1));
@@ -60,16 +64,8 @@ pub(crate) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Ex
     let group_bits = zeros.width() - index_bits;
     let whole_groups = cat([zeros.bits(zeros.width() - 1, group_bits), lit(group_bits, 0)]);
     let [value, zeros] = pipe.cut([("value", value.shl_by(whole_groups)), ("zeros", zeros)]);
+    pipe.takes(delay::shifter(GROUP));
     (value.shl_by(zeros.trunc(group_bits)), zeros)
-}
-
-/// Delays of [`shift_out_zeros`]' segments; the last one goes on behind its last cut.
-pub(crate) fn shift_out_zeros_delays(width: u32) -> Vec<u32> {
-    if width <= WIDE {
-        return vec![delay::leading_zeros(width), delay::shifter(width)];
-    }
-    let groups = width.div_ceil(GROUP);
-    vec![delay::leading_zeros(GROUP), delay::leading_zeros(groups) + delay::shifter(groups), delay::shifter(GROUP)]
 }
 
 /// `value` shifted right; the lowest bit of the result is set if any one was shifted out of it.

@@ -7,34 +7,33 @@
 use super::delay;
 use super::pipe::{self, Operator, Pipe};
 use pointcore_contract::TableShape;
+use rtl::Expr;
 
 /// Pipeline registers by default.
 #[must_use]
 pub fn stages(shape: TableShape) -> u32 {
-    pipe::stages_for(&delays(shape))
-}
-
-fn delays(shape: TableShape) -> Vec<u32> {
-    let read = shape.index_bits.div_ceil(2) * delay::LEVEL;
-    if shape.fraction_bits == 0 {
-        return vec![read, delay::BLOCK_RAM];
-    }
-    vec![read, delay::BLOCK_RAM, delay::MULTIPLIER, delay::adder(shape.value_bits + 1)]
+    pipe::stages_for(|pipe| interpolation(pipe, shape, &vec![0; shape.samples()]))
 }
 
 /// Module `float_table`: interpolates those samples of `value_bits` bits, or looks them up.
 #[must_use]
 pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
-    let mut pipe = Pipe::new("float_table", "Sampled function, interpolated linearly.", &delays(shape), stages);
+    let summary = "Sampled function, interpolated linearly.";
+    pipe::operator("float_table", summary, stages, |pipe| interpolation(pipe, shape, samples))
+}
+
+fn interpolation(pipe: &mut Pipe, shape: TableShape, samples: &[u64]) -> Expr {
     pipe.module.variant("index_bits", shape.index_bits);
     pipe.module.variant("fraction_bits", shape.fraction_bits);
     let (value_bits, fraction_bits) = (shape.value_bits, shape.fraction_bits);
+    pipe.takes(shape.index_bits.div_ceil(2) * delay::LEVEL);
     let argument = pipe.module.input("a", fraction_bits + shape.index_bits);
     if fraction_bits == 0 {
         let samples: Vec<u128> = samples.iter().map(|&sample| sample.into()).collect();
         let entry = pipe.module.lookup("samples", &samples, value_bits, argument);
         let [entry] = pipe.cut([("entry", entry)]);
-        return pipe.finish(entry);
+        pipe.takes(delay::BLOCK_RAM);
+        return entry;
     }
     let slope_mask = (1 << (value_bits + 1)) - 1;
     let entries: Vec<u128> = samples
@@ -48,13 +47,15 @@ pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
     let index = argument.bits(argument.width() - 1, fraction_bits);
     let entry = pipe.module.lookup("samples", &entries, 2 * value_bits + 1, index);
     let [entry, fraction] = pipe.cut([("entry", entry), ("fraction", argument.trunc(fraction_bits))]);
+    pipe.takes(delay::BLOCK_RAM);
     let mut start = pipe.carry("start", entry.bits(2 * value_bits, value_bits + 1));
     let [slope, fraction] = pipe.cut([("slope", entry.trunc(value_bits + 1)), ("fraction", fraction)]);
+    pipe.takes(delay::MULTIPLIER);
     let product = slope.mul_signed(fraction.zext(fraction_bits + 1));
     let rise = product.bits(value_bits + fraction_bits - 1, fraction_bits);
     let [rise] = pipe.cut([("rise", rise)]);
-    let value = pipe.arrive(&mut start) + rise;
-    pipe.finish(value)
+    pipe.takes(delay::adder(value_bits + 1));
+    pipe.arrive(&mut start) + rise
 }
 
 /// Samples at equal distances of a function from [0, 1] to [0, 1]: of the ends of intervals, or without interpolation of their
