@@ -26,7 +26,7 @@ pub use heap::Heap;
 pub use normalizer::Normalizer;
 pub use rasterizer::Rasterizer;
 pub use reorder::Reorder;
-pub use setup::{Setup, Slant};
+pub use setup::{Dropped, Setup, Slant};
 pub use splitter::Splitter;
 pub use tile_cache::TileCache;
 pub use top::Top;

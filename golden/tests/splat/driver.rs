@@ -2,12 +2,9 @@
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::UniformWrite;
-use pointcore_contract::splat::records::Uniforms;
-use pointcore_contract::splat::records::{Fragment, Pixel, Splat as SplatRecord};
+use pointcore_contract::splat::records::{Fragment, Pixel, Splat as SplatRecord, UniformWrite, uniform_formats};
 use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
 use pointcore_contract::{Camera, Format, Rendering, Splat};
-use pointcore_contract::{Field, fields};
 use pointcore_golden::float;
 use pointcore_golden::splat::Latencies;
 use pointcore_golden::splat::top::{In, Top};
@@ -80,11 +77,11 @@ pub fn uniforms(config: &Config, camera: &Camera, rendering: &Rendering) -> Vec<
     numbers.extend([camera.scale_x, camera.scale_y, camera.center_x, camera.center_y]);
     numbers.extend([camera.depth_a, camera.depth_b, camera.near]);
     numbers.extend([rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)]);
-    let word = |(field, number): (Field, f64)| match config.uniform_format(&field.name) {
+    let word = |(format, number): (UniformFormat, f64)| match format {
         UniformFormat::Float(format) => encode(format, number as f32),
         UniformFormat::Fixed(fixed) => (number * f64::from(1 << fixed.fraction)).round() as u32,
     };
-    fields::<Uniforms>(config).into_iter().zip(numbers).map(word).collect()
+    uniform_formats(config).zip(numbers).map(word).collect()
 }
 
 /// The reconstruction buffer's memory: answers reads in order, each after the writes that came before it.

@@ -8,6 +8,7 @@
 //!
 //! Distances are compared as unsigned integers. Of points at equal distance the first to come stays, and stays in front.
 
+mod stages;
 #[cfg(test)]
 mod tests;
 
@@ -17,86 +18,7 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Candidates, LANES_MAX, QueryResult, Radius, Start, Thread};
 use pointcore_contract::search::units::QueueEvents;
 pub use pointcore_contract::search::units::queue::{In, Out};
-
-/// A place in a row.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Entry {
-    found: bool,
-    index: u32,
-    distance2: u32,
-}
-
-/// What a row is made for.
-#[derive(Clone, Copy, Debug, Default)]
-struct Search {
-    /// The thread's row holds nothing of this search.
-    fresh: bool,
-    k: usize,
-    number: u32,
-    radius2: u32,
-}
-
-impl Search {
-    /// The search as its row is read; it is fresh no longer.
-    fn take_up(&mut self) -> Self {
-        let before = *self;
-        self.fresh = false;
-        before
-    }
-
-    /// The row before the first candidate.
-    fn fill(&self, row: &mut [Entry]) {
-        let (sentinels, placeholders) = row.split_at_mut(row.len() - self.k);
-        sentinels.fill(Entry::default());
-        placeholders.fill(Entry { distance2: self.radius2, ..Entry::default() });
-    }
-}
-
-/// A beat on its way to stage b; the next one is stage a.
-#[derive(Clone, Copy, Debug)]
-struct Arrival {
-    candidates: Candidates,
-    /// Only what is nearer counts.
-    limit: u32,
-}
-
-/// The beat that chooses its candidates: stage b.
-#[derive(Clone, Copy, Debug)]
-struct Work {
-    candidates: Candidates,
-    /// The thread's row has to be read from memory.
-    reads: bool,
-    /// Lanes to be chosen.
-    pending: [bool; LANES_MAX],
-}
-
-impl Work {
-    /// Lanes that are not nearer than this are not to be chosen.
-    fn narrow(&mut self, radius2: u32) {
-        for (pending, distance) in self.pending.iter_mut().zip(self.candidates.distances) {
-            *pending &= distance < radius2;
-        }
-    }
-}
-
-/// A candidate on its way to its row: stage c.
-#[derive(Clone, Copy, Debug)]
-struct Item {
-    thread: Thread,
-    /// The search whose row is read from memory, if the working row is another's.
-    row: Option<Search>,
-    /// Of a leaf.
-    last: bool,
-    neighbor: Option<Entry>,
-}
-
-/// A candidate at its row, the working row: stage d.
-#[derive(Clone, Copy, Debug)]
-struct Insertion {
-    thread: Thread,
-    last: bool,
-    neighbor: Option<Entry>,
-}
+use stages::{Arrival, Entry, Insertion, Item, Search, Work};
 
 #[derive(Clone, Copy, Debug)]
 enum Readout {

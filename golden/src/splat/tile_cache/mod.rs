@@ -4,11 +4,13 @@
 //! behind it, pixel by pixel, while copies of other slots go on. A tile that nobody touched in this frame is not loaded but
 //! cleared. After the last copy of a frame is accumulated, every touched tile is sent to normalization.
 
+mod moves;
 #[cfg(test)]
 mod tests;
 
 use crate::stream::{HalfBuffer, Skid};
 use crate::unit::Model;
+use moves::{Drain, Job, JobStep};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{IN_FLIGHT_BITS, TILE_PIXELS};
 use pointcore_contract::splat::records::{
@@ -27,84 +29,6 @@ struct Entry {
     ready: bool,
     /// Copies passed on and not yet retired.
     in_flight: u8,
-}
-
-/// Progress of reading a slot: with each request the pixel asked for before comes to the port, where it stays until it is taken.
-#[derive(Clone, Copy, Debug, Default)]
-struct Drain {
-    next: u8,
-    showing: Option<u8>,
-    held: Option<u8>,
-}
-
-impl Drain {
-    /// Whether the pixels that are held and shown, if any, move on.
-    const fn steps(&self, room: bool) -> bool {
-        self.held.is_none() || room
-    }
-
-    fn request(&self, room: bool) -> Option<u8> {
-        self.steps(room).then_some(self.next % PIXELS)
-    }
-
-    const fn is_done(&self) -> bool {
-        self.next == PIXELS && self.showing.is_none() && self.held.is_none()
-    }
-
-    /// One clock edge, while the port shows `drained`; returns the pixel that is taken and its value.
-    fn clock(&mut self, room: bool, drained: Pixel) -> Option<(u8, Pixel)> {
-        let taken = self.held.filter(|_| room);
-        if self.steps(room) {
-            self.held = self.showing.take();
-            if self.next < PIXELS {
-                self.showing = Some(self.next);
-                self.next += 1;
-            }
-        }
-        taken.map(|pixel| (pixel, drained))
-    }
-}
-
-/// Replacement of a slot's tile.
-#[derive(Clone, Copy, Debug)]
-struct Job {
-    slot: u8,
-    tile: u32,
-    evicted: Option<u32>,
-    step: JobStep,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum JobStep {
-    /// The memory of touched tiles is read.
-    Read,
-    Lookup,
-    Move {
-        load: bool,
-        drain: Drain,
-        filled: u8,
-    },
-}
-
-impl Job {
-    /// Whether the next pixel may be filled: it was read before.
-    fn may_fill(&self) -> bool {
-        match self.step {
-            JobStep::Read | JobStep::Lookup => false,
-            JobStep::Move { drain, filled, .. } => filled < PIXELS && (self.evicted.is_none() || filled < drain.next),
-        }
-    }
-
-    fn may_load(&self) -> bool {
-        matches!(self.step, JobStep::Move { load: true, .. }) && self.may_fill()
-    }
-
-    fn request(&self, room: bool) -> Option<u8> {
-        match self.step {
-            JobStep::Move { drain, .. } if self.evicted.is_some() => drain.request(room),
-            _ => None,
-        }
-    }
 }
 
 #[derive(Clone, Copy, Debug)]

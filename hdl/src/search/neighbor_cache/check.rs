@@ -9,9 +9,10 @@ use super::cover::{Cover, Covers};
 use super::deliver::Answer;
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
-use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
+use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile, name};
 use crate::search::parts::head_queue::HeadQueue;
 use crate::units::datapath::dot;
+use crate::units::passage::Passage;
 use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
@@ -54,6 +55,36 @@ struct Ball {
     reach: u32,
 }
 
+/// What an entry's neighborhood covers, beside the query in one record.
+#[record(config: Config)]
+struct EntryCover {
+    /// Where the query is that the neighborhood was found for.
+    #[name(format!("entry_{}", AXES[i]))]
+    #[bits(config.geometry.width())]
+    point: [u32; 3],
+    /// The comparison value.
+    #[name("entry_c")]
+    #[bits(config.geometry.width())]
+    c: u32,
+}
+
+impl From<Cover<Wires>> for EntryCover<Wires> {
+    fn from(Cover { point, c }: Cover<Wires>) -> Self {
+        Self { point, c }
+    }
+}
+
+/// What is compared.
+#[record(config: Config)]
+struct Comparison {
+    /// Which comparison it is.
+    item: Item,
+    /// The query.
+    ball: Ball,
+    /// The entry.
+    entry: EntryCover,
+}
+
 /// A setting.
 #[record(config: Config)]
 struct MarginScale {
@@ -74,15 +105,15 @@ struct Compared {
 /// Whether a query's ball lies within what an entry's neighborhood covers (thesis eq. 6.5, 6.6 and table 6.1).
 fn comparison(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("search_check", "Whether a neighborhood covers a query.");
-    let item = Item::<Values>::inputs(&program, config);
-    let ball = Ball::<Values>::inputs(&program, config);
-    let Cover { point, c } = Cover::<Values>::prefixed_inputs(&program, config, "entry_");
+    let Comparison { item, ball, entry: EntryCover { point, c } } = Comparison::<Values>::inputs(&program, config);
     let number = |value: Value| value.as_float(config.geometry);
     let offset: [Value; 3] = std::array::from_fn(|axis| number(ball.point[axis]) - number(point[axis]));
     let (cover, reach) = (number(c), number(ball.reach));
     let excess = cover - reach;
     let MarginScale { margin_scale } = MarginScale::<Values>::uniforms(&program, config, config.geometry);
     let margin = excess * margin_scale;
+    let [offset_x, offset_y, offset_z] = offset;
+    name!(offset_x, offset_y, offset_z, excess, margin);
     let covered = reach.lt(cover) & dot(&offset, &offset).lt(margin * margin);
     Compared { item, covered }.outputs(&program, config);
     compile(&program, options)
@@ -135,8 +166,8 @@ impl Comparisons {
         let queries = PORTS.query.queue(m, config);
         let CachedQuery { query, reach } = queries.record;
         let Datapath { module, manifest } = comparison(config, options)?;
-        let datapath = m.instance("check", module);
-        let accepts = m.out(datapath, "in_ready");
+        let datapath = Passage::<Comparison, Compared>::place(m, "check", module);
+        let accepts = datapath.room(m);
 
         let entry = m.reg_reset("next_entry", config.entry_bits(), 0);
         let first = m.wire("first_entry", entry.is_zero());
@@ -159,12 +190,9 @@ impl Comparisons {
         let ball = Ball { point: query.point, reach }.register(m, config, "i1_", issues);
         let cover = from.covers.read(m, config, *issues, *entry);
 
-        m.connect(datapath, "in_valid", i1_valid);
-        item.connect(m, config, datapath, "in_");
-        ball.connect(m, config, datapath, "in_");
-        cover.connect(m, config, datapath, "in_entry_");
-        MarginScale { margin_scale: from.settings.margin_scale }.connect(m, config, datapath, "");
-        Ok(Self { out: Flow::from(m, config, datapath, "out"), enters, asked, manifest })
+        datapath.push(m, config, i1_valid, Comparison { item, ball, entry: cover.into() });
+        datapath.set::<MarginScale>(m, config, MarginScale { margin_scale: from.settings.margin_scale });
+        Ok(Self { out: datapath.out(m, config), enters, asked, manifest })
     }
 }
 

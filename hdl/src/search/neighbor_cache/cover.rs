@@ -7,7 +7,7 @@ use pointcore_contract::{record, width};
 use super::lru::Chosen;
 use super::neighborhoods::entry_words;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
-use crate::units::ports::Flow;
+use crate::units::passage::Passage;
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Memory, Module, bit};
@@ -65,9 +65,9 @@ fn comparison_value(config: &Config, options: &Options) -> Result<Datapath, Comp
     let program = Program::new("search_cover", "How far a neighborhood reaches.");
     let Reach { entry, point, far2, near2 } = Reach::<Values>::inputs(&program, config);
     let root = |square: Value| square.as_float(config.geometry).sqrt();
-    let far = root(far2);
+    let far = root(far2).named("far");
     let FarScale { far_scale } = FarScale::<Values>::uniforms(&program, config, config.geometry);
-    let cover = Cover { point, c: far * far_scale - root(near2) };
+    let cover = Cover { point, c: far * far_scale - root(near2).named("near") };
     EntryCover { entry, cover }.outputs(&program, config);
     compile(&program, options)
 }
@@ -99,14 +99,13 @@ impl Covers {
         (valid, reach): (Expr, Reach<Wires>),
     ) -> Result<(Chosen, Manifest), CompileError> {
         let Datapath { module, manifest } = comparison_value(config, options)?;
-        let datapath = m.instance("judge", module);
+        let datapath = Passage::<Reach, EntryCover>::place(m, "judge", module);
         let reach_valid = m.reg_reset("reach_valid", 1, 0);
         m.next(reach_valid, valid);
         let reach = reach.register(m, config, "reach_", bit(true));
-        m.connect(datapath, "in_valid", reach_valid);
-        reach.connect(m, config, datapath, "in_");
-        FarScale { far_scale: settings.far_scale }.connect(m, config, datapath, "");
-        let out = Flow::<EntryCover<Wires>>::from(m, config, datapath, "out");
+        datapath.push(m, config, reach_valid, reach);
+        datapath.set::<FarScale>(m, config, FarScale { far_scale: settings.far_scale });
+        let out = datapath.out(m, config);
         m.drive(out.ready, bit(true));
         let EntryCover { entry, cover } = out.record;
         m.write(self.memory, out.valid, entry, cover.pack(config));

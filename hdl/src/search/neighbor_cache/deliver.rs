@@ -9,9 +9,10 @@ use super::lru::Chosen;
 use super::neighborhoods::Neighborhoods;
 use crate::search::parts::neighbor::Neighbor;
 use crate::stream::fifo;
-use crate::units::ports::{Flow, QueueOut, StreamOutPorts};
-use crate::units::wires::{Bundle, Wires, layout};
-use rtl::{Expr, Instance, Module, lit};
+use crate::units::passage::Passage;
+use crate::units::ports::{QueueOut, StreamOutPorts};
+use crate::units::wires::{Bundle, layout};
+use rtl::{Expr, Module, lit};
 
 /// Answers that may wait.
 pub(super) const DEPTH: u32 = 4;
@@ -45,7 +46,7 @@ struct Known {
 
 /// The answers that wait.
 pub(super) struct Deliveries {
-    queue: Instance,
+    queue: Passage<Delivery>,
     result: QueueOut<CachedResult>,
     /// An answer can be pushed in this cycle.
     pub room: Expr,
@@ -61,8 +62,8 @@ pub(super) struct Answer {
 impl Deliveries {
     /// None after reset.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let queue = m.instance("deliver_queue", fifo(DEPTH, &layout::<Delivery>(config)));
-        let room = m.out(queue, "in_ready");
+        let queue = Passage::place(m, "deliver_queue", fifo(DEPTH, &layout::<Delivery>(config)));
+        let room = queue.room(m);
         Self { queue, result: PORTS.result.queue(m, config), room }
     }
 
@@ -77,17 +78,17 @@ impl Deliveries {
     ) -> Chosen {
         let Self { queue, result, .. } = self;
         let is_cached = cached.by.valid;
-        m.connect(queue, "in_valid", is_cached | searched.by.valid);
+        let is_there = is_cached | searched.by.valid;
         let [cached, searched] = [cached, searched].map(|answer| Delivery {
             entry: answer.by.entry,
             number: answer.number,
             cached: is_cached,
         });
         let delivery = Delivery { cached: is_cached, ..Delivery::choose(config, is_cached, cached, searched) };
-        delivery.connect(m, config, queue, "in_");
+        queue.push(m, config, is_there, delivery);
 
         // d0: an answer and the rank of its next neighbor.
-        let head = Flow::<Delivery<Wires>>::from(m, config, queue, "out");
+        let head = queue.out(m, config);
         let d0_valid = m.reg_reset("d0_valid", 1, 0);
         let takes = m.wire("d0_takes", !d0_valid & head.valid);
         m.drive(head.ready, !d0_valid);

@@ -1,7 +1,7 @@
 //! What the stages of the heap hold and tell each other, as records.
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::{Record, fields, record};
+use pointcore_contract::{Places, Record, fields, places, record};
 
 use super::order::EntryFormat;
 use crate::units::wires::{Bundle, Wired};
@@ -233,9 +233,6 @@ impl Pace {
     }
 }
 
-/// The field that says whether a record is there.
-const VALID: &str = "valid";
-
 /// Registers that take new values once a tick.
 pub(super) struct Registers<R: Record> {
     registers: Vec<Reg>,
@@ -244,13 +241,19 @@ pub(super) struct Registers<R: Record> {
 }
 
 impl<R: Record> Registers<R> {
-    /// Registers `<prefix><field>`; `valid`, which says whether the others matter, is reset.
-    pub fn new(m: &mut Module, config: &R::Config, prefix: &str) -> Self {
-        let registers: Vec<_> = fields::<R>(config)
-            .iter()
-            .map(|field| {
+    /// Registers `<prefix><field>`; the flag that says whether the others matter is reset.
+    pub fn new(
+        m: &mut Module,
+        config: &R::Config,
+        prefix: &str,
+        flag: impl FnOnce(R::In<Places>) -> Option<usize>,
+    ) -> Self {
+        let flag = flag(places::<R>(config));
+        let registers: Vec<_> = (0..)
+            .zip(fields::<R>(config))
+            .map(|(place, field)| {
                 let name = format!("{prefix}{}", field.name);
-                if field.name == VALID { m.reg_reset(&name, 1, 0) } else { m.reg(&name, field.width) }
+                if Some(place) == flag { m.reg_reset(&name, 1, 0) } else { m.reg(&name, field.width) }
             })
             .collect();
         let record = Bundle::from_values(config, registers.iter().map(|register| register.expr()));

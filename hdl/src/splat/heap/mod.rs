@@ -7,6 +7,7 @@
 
 mod links;
 mod order;
+mod ports;
 mod stage;
 
 use pointcore_contract::splat::Config;
@@ -17,6 +18,7 @@ use crate::units::ports::{StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, Wires};
 use links::{Pace, Place, Promotion, Step};
 use order::{Entry, EntryFormat, Key};
+use ports::{BELOW_PROMOTED_NODE, BELOW_ROW, LAP, LAST_EPOCH, NEWCOMER_LAP, PROMOTED_NODE, ROOT, STEP_ROW};
 use rtl::{Expr, Instance, Module, bit, lit};
 
 /// The unit.
@@ -42,7 +44,7 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let lower = pace.lower(&mut m);
     let begins = m.wire("begins", pace.at_end(!lower));
     let stages = stages(&mut m, config, format);
-    let root: Entry<Wires> = Bundle::unpack(&format, m.out(stages[0], "root"));
+    let root: Entry<Wires> = Bundle::unpack(&format, ROOT.word_of(&mut m, stages[0]));
 
     let count = m.reg_reset("count", levels, 0);
     let arrival = m.reg_reset("arrival", format.sequence, 0);
@@ -81,7 +83,7 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let HeapEntry { tile, pointer } = input.record;
     pace.next(&mut m, newcomer_tile, tile);
     let newcomer_lap = m.wire("newcomer_lap", lap ^ newcomer_tile.lt(current));
-    m.connect(stages[0], "newcomer_lap", newcomer_lap);
+    NEWCOMER_LAP.feed_word(&mut m, stages[0], newcomer_lap);
 
     // The root is the right child of nothing, and every step comes by it. It has no sibling.
     let newcomer = Entry { key: Key { lap: bit(false), tile, sequence: arrival.expr() }, pointer };
@@ -98,8 +100,8 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     };
     step.connect(&mut m, &Place::new(config, format, 0), stages[0], "step_");
     for stage in &stages {
-        m.connect(*stage, "lap", lap);
-        m.connect(*stage, "last_epoch", last_epoch);
+        LAP.feed_word(&mut m, *stage, lap);
+        LAST_EPOCH.feed_word(&mut m, *stage, last_epoch);
     }
 
     PORTS.empty.drive_word(&mut m, !(count.any() | out.holds));
@@ -118,11 +120,11 @@ fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance>
     for pair in instances.windows(2) {
         let [above, below] = [pair[0], pair[1]];
         Step::shown_by(m, place, above, "below_").connect(m, place, below, "step_");
-        let row = m.out(above, "below_row");
-        m.connect(below, "step_row", row);
+        let row = BELOW_ROW.word_of(m, above);
+        STEP_ROW.feed_word(m, below, row);
         Promotion::shown_by(m, place, below, "promoted_").connect(m, place, above, "below_promoted_");
-        let node = m.out(below, "promoted_node");
-        m.connect(above, "below_promoted_node", node);
+        let node = PROMOTED_NODE.word_of(m, below);
+        BELOW_PROMOTED_NODE.feed_word(m, above, node);
     }
     instances
 }

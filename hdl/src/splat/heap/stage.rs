@@ -16,6 +16,8 @@ use pointcore_contract::splat::Config;
 
 use super::links::{Below, Compared, Node, Pace, Place, Promotion, Registers, Step, WriteBack};
 use super::order::{Entry, EntryFormat, Order};
+use super::ports::{BELOW_PROMOTED_NODE, BELOW_ROW, LAP, LAST_EPOCH, NEWCOMER_LAP, PROMOTED_NODE, ROOT, STEP_ROW};
+use crate::units::ports::WordPort;
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::width;
 use rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
@@ -88,7 +90,7 @@ impl Comparison {
         if place.upper == 0 {
             // The lap of a newcomer is known only now.
             let mut newcomer: Entry<Wires> = Bundle::unpack(&format, carried);
-            newcomer.key.lap = lower.mux(m.input("newcomer_lap", 1), newcomer.key.lap);
+            newcomer.key.lap = lower.mux(NEWCOMER_LAP.declare_word(m, 1), newcomer.key.lap);
             carried = newcomer.pack(&format);
         }
         let before = |m: &mut Module, name: &str, a: Expr, b: Expr| {
@@ -179,7 +181,7 @@ impl Written {
             let below = Bundle::input(m, place, "below_promoted_");
             let promoted: Promotion<Wires> = Bundle::choose(place, lower, below, comparison.promotion);
             let entry = hole.mux(promoted.entry, own);
-            (promoted, entry, lower.mux(m.input("below_promoted_node", bits), own_number))
+            (promoted, entry, lower.mux(BELOW_PROMOTED_NODE.declare_word(m, bits), own_number))
         } else {
             // Nothing is promoted to the last level.
             let promoted = Bundle::choose(place, lower, Bundle::zeros(place), comparison.promotion);
@@ -294,18 +296,19 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
     m.variant("level", upper);
     m.parameter("levels", place.levels);
     m.parameter("interval", config.heap_interval);
-    let order = Order { format: place.format, lap: m.input("lap", 1), last_epoch: m.input("last_epoch", 1) };
+    let (lap, last_epoch) = (LAP.declare_word(&mut m, 1), LAST_EPOCH.declare_word(&mut m, 1));
+    let order = Order { format: place.format, lap, last_epoch };
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);
     let above = Step::input(&mut m, &place, "step_");
     let bits = place.row_bits();
-    let above_row = if upper > 0 { m.input("step_row", upper).zext(bits) } else { lit(bits, 0) };
+    let above_row = if upper > 0 { STEP_ROW.declare_word(&mut m, upper).zext(bits) } else { lit(bits, 0) };
     let stage = Stage {
         place,
         order,
         pace,
-        compared: Registers::new(&mut m, &place, "compared_"),
-        write_back: Registers::new(&mut m, &place, "write_back_"),
+        compared: Registers::<Compared>::new(&mut m, &place, "compared_", |compared| compared.valid),
+        write_back: Registers::<WriteBack>::new(&mut m, &place, "write_back_", |written| written.valid),
         stored: m.reg("stored", width::<Node>(&place)),
         row: m.reg("row", bits),
         row_before: m.reg("row_before", bits),
@@ -319,14 +322,14 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
     let root = read_children(&mut m, &stage, &step, above_row, &written);
     if upper == 0 {
         // The root stands on the right below nothing.
-        m.output("root", root);
+        ROOT.drive_word(&mut m, root);
     } else {
         comparison.promotion.output(&mut m, &place, "promoted_");
-        m.output("promoted_node", stage.row_before.trunc(upper));
+        PROMOTED_NODE.drive_word(&mut m, stage.row_before.trunc(upper));
     }
     if place.continues() {
         comparison.step.output(&mut m, &place, "below_");
-        m.output("below_row", stage.next_row);
+        BELOW_ROW.drive_word(&mut m, stage.next_row);
     }
     m
 }

@@ -1,0 +1,174 @@
+use super::*;
+use pointcore_contract::splat::records::{EpsilonScale, Viewport};
+
+fn uniforms() -> SetupUniforms {
+    let bits = f32::to_bits;
+    SetupUniforms {
+        viewport: Viewport {
+            scale: [bits(100.0); 2],
+            origin: [bits(128.0), bits(64.0)],
+            depth_a: bits(1.0),
+            depth_b: bits(-1.0),
+        },
+        epsilon: EpsilonScale { scale: bits(1.0), bias: bits(0.0) },
+        filter_radius: bits(1.0),
+    }
+}
+
+/// A splat at depth 2 on the axis, with the given tangents.
+fn setup(tangents: [[f32; 3]; 2]) -> Option<SetupSplat> {
+    setup_in(Format::F32, Feature::Off, tangents, &uniforms())
+}
+
+fn setup_in(
+    geometry: Format,
+    culling: Feature,
+    tangents: [[f32; 3]; 2],
+    uniforms: &SetupUniforms,
+) -> Option<SetupSplat> {
+    let unit = Setup::new(&Config { height: 128, geometry, culling, ..Config::default() }, 1);
+    let encode = |value: f32| Number::new(Format::F32, value.to_bits()).convert(geometry).bits();
+    let center = [0.0, 0.0, 2.0].map(encode);
+    let tangents = tangents.map(|tangent| tangent.map(encode));
+    let encode = |bits| encode(f32::from_bits(bits));
+    let uniforms = SetupUniforms {
+        viewport: Viewport {
+            scale: uniforms.viewport.scale.map(encode),
+            origin: uniforms.viewport.origin.map(encode),
+            depth_a: encode(uniforms.viewport.depth_a),
+            depth_b: encode(uniforms.viewport.depth_b),
+        },
+        epsilon: EpsilonScale { scale: encode(uniforms.epsilon.scale), bias: encode(uniforms.epsilon.bias) },
+        filter_radius: encode(uniforms.filter_radius),
+    };
+    unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms)
+}
+
+fn bounds(splat: &SetupSplat) -> [u16; 4] {
+    let ImageRectangle { left, right, top, bottom } = splat.bounds;
+    [left, right, top, bottom]
+}
+
+#[test]
+fn a_facing_disc_has_the_bounds_of_its_circle() {
+    // 0.2 at distance 2: 10 px about (128, 64); samples lie at half pixels.
+    let splat = setup([[0.2, 0.0, 0.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+    assert_eq!(bounds(&splat), [118, 137, 54, 73]);
+    let Band { depth, low, high } = splat.footprint.band;
+    assert_eq!([depth, low, high], [1 << 23; 3], "all of it lies at depth ½");
+    let tiny = setup([[1e-6, 0.0, 0.0], [0.0, 1e-6, 0.0]]).expect("the filter shows it");
+    assert_eq!(bounds(&tiny), [127, 128, 63, 64]);
+}
+
+#[test]
+fn a_slanted_disc_has_a_depth_range() {
+    let splat = setup([[0.2, 0.0, 0.5], [0.0, 0.2, 0.0]]).expect("it is in view");
+    let Band { low, high, .. } = splat.footprint.band;
+    // It reaches from z = 1½ to z = 2½: depths ⅓ and ⅗.
+    let error =
+        [(low, 1.0 / 3.0), (high, 3.0 / 5.0)].map(|(bits, depth)| (f64::from(bits) / f64::from(1 << 24) - depth).abs());
+    assert!(error.into_iter().all(|error| error < 1e-6), "{low}, {high}");
+}
+
+#[test]
+fn a_splat_across_the_near_plane_is_tested_at_its_center() {
+    // It reaches from z = ½ to z = 3½.
+    let splat = setup([[0.2, 0.0, 1.5], [0.0, 0.2, 0.0]]).expect("it is in view");
+    assert_ne!(bounds(&splat), [0, 255, 0, 127]);
+    assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+}
+
+#[test]
+fn without_the_part_for_the_eye_plane_whole_splats_are_what_they_were() {
+    let unit =
+        |eye_plane| Setup::new(&Config { height: 128, geometry: Format::F32, eye_plane, ..Config::default() }, 1);
+    let [with, without] = [Feature::On, Feature::Off].map(unit);
+    let splat = |reach: f32| {
+        let tangents = [[0.0, 0.2, 0.0], [0.2, 0.0, 2.0 * reach]].map(|tangent| tangent.map(f32::to_bits));
+        Splat { center: [0.0, 0.0, 2.0].map(f32::to_bits), tangents, ..Splat::default() }
+    };
+    for (reach, is_whole) in [(0.0, true), (0.9, true), (0.999_94, false), (1.5, false)] {
+        let splat = splat(reach);
+        assert_eq!(with.slant_of(&splat).is_whole, is_whole, "{reach}");
+        let same = with.setup(&splat, &uniforms()) == without.setup(&splat, &uniforms());
+        assert_eq!(same, is_whole, "{reach}: only splats across the eye plane need the part");
+    }
+}
+
+#[test]
+fn back_faces_are_culled_in_any_size_and_image() {
+    let [upright, upside_down] = [1.0, -1.0].map(|sign| {
+        let scale = [100.0_f32, sign * 100.0].map(f32::to_bits);
+        SetupUniforms { viewport: Viewport { scale, ..uniforms().viewport }, ..uniforms() }
+    });
+    let is_drawn = |tangents, culling, uniforms| setup_in(Format::F32, culling, tangents, uniforms).is_some();
+    for size in [0.2_f32, 1e-12, 1e12] {
+        // The cross product of the front's tangents points towards the eye, along −z.
+        let front = [[0.0, size, 0.0], [size, 0.0, 0.0]];
+        let back = [front[1], front[0]];
+        for uniforms in [&upright, &upside_down] {
+            assert!(is_drawn(front, Feature::On, uniforms) && !is_drawn(back, Feature::On, uniforms), "{size}");
+            assert!(is_drawn(front, Feature::Off, uniforms) && is_drawn(back, Feature::Off, uniforms));
+        }
+        let edge_on = [front[0], front[0]];
+        assert!(is_drawn(edge_on, Feature::On, &upright), "its disc is drawn");
+    }
+}
+
+#[test]
+fn a_splat_seen_edge_on_has_no_delta() {
+    // Tangents a little apart from parallel: more and less than rounding takes.
+    for (format, apart) in [(Format::F32, 1e-5_f32), (Format::F24, 1e-3)] {
+        let delta = |tilt: f32| {
+            let splat = setup_in(format, Feature::On, [[0.3, 0.3, 0.0], [0.3 + tilt, 0.3, 0.0]], &uniforms());
+            Number::new(format, splat.expect("it is in view").footprint.delta)
+        };
+        assert!(delta(0.0).is_nan() && delta(apart / 128.0).is_nan());
+        assert!(delta(apart).is_negative());
+    }
+}
+
+#[test]
+fn coarse_formats_keep_away_from_the_eye_plane() {
+    let has_viewport = |format, reach: f32| {
+        let splat = setup_in(format, Feature::Off, [[0.2, 0.0, 2.0 * reach], [0.0, 0.2, 0.0]], &uniforms());
+        bounds(&splat.expect("it is in view")) == [0, 255, 0, 127]
+    };
+    // `e = 1 − reach²`: 0.06, 0.02, 2^−13.
+    for (reach, fine, coarse) in [(0.97, false, false), (0.99, false, true), (0.999_94, true, true)] {
+        assert_eq!((has_viewport(Format::F32, reach), has_viewport(Format::F24, reach)), (fine, coarse), "{reach}");
+    }
+}
+
+#[test]
+fn the_footprint_alone_has_the_rasterizers_format() {
+    let setup = |rasterizer: Option<Format>| {
+        let rasterizer = rasterizer.map(RasterFormat::Float);
+        let unit = Setup::new(&Config { geometry: Format::F32, rasterizer, ..Config::default() }, 1);
+        let encode = f32::to_bits;
+        let (center, tangents) =
+            ([0.3, 0.1, 2.0].map(encode), [[0.0, 0.3, 0.1], [0.2, 0.0, 0.7]].map(|t| t.map(encode)));
+        unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms()).expect("it is in view")
+    };
+    let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
+    let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
+    let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane } = wide.footprint;
+    let center = center.map(rounded);
+    let [ax, bx, ay, by, delta, mx, my] = [ax, bx, ay, by, delta, mx, my].map(rounded);
+    let plane = DepthPlane {
+        center: rounded(plane.center),
+        slope: plane.slope.map(rounded),
+        range: plane.range.map(rounded),
+        epsilon: rounded(plane.epsilon),
+    };
+    let rounded = Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane };
+    assert_eq!(narrow.footprint, rounded);
+    assert_eq!(narrow.bounds, wide.bounds);
+}
+
+#[test]
+fn a_splat_across_the_eye_plane_has_the_viewport() {
+    let splat = setup([[0.2, 0.0, 2.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+    assert_eq!(bounds(&splat), [0, 255, 0, 127]);
+    assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+}
