@@ -3,8 +3,7 @@
 
 // Surface-splat renderer: splats in, normalized fragments out.
 module splat_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [23:0] uniform_data,  // Its new value.
@@ -181,8 +180,7 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk), .rst(rst),
-        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -190,8 +188,7 @@ module splat_top (
         .in_attribute_2(splat_attribute_2),
         .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
         .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
-        .m22(uniform_m22), .m23(uniform_m23),
-        .near_plane(uniform_near_plane),
+        .m22(uniform_m22), .m23(uniform_m23), .near_plane(uniform_near_plane),
         .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
         .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
         .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
@@ -202,14 +199,14 @@ module splat_top (
     );
 
     splat_setup setup (
-        .clk(clk), .rst(rst),
-        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
+        .clk(clk), .rst(rst), .in_valid(transform_out_valid), .in_ready(setup_in_ready),
+        .in_end(transform_out_end), .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y), .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x), .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z), .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y), .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
@@ -229,12 +226,11 @@ module splat_top (
     );
 
     splat_splitter splitter (
-        .clk(clk), .rst(rst),
-        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift), .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
+        .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
+        .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift),
+        .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
         .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
         .in_attribute_2(setup_out_attribute_2), .in_left(setup_out_left), .in_right(setup_out_right),
         .in_top(setup_out_top), .in_bottom(setup_out_bottom),
@@ -251,10 +247,9 @@ module splat_top (
     );
 
     splat_reorder reorder (
-        .clk(clk), .rst(rst),
-        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
         .in_shift(splitter_out_shift), .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
@@ -273,12 +268,11 @@ module splat_top (
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst),
-        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_shift(reorder_out_shift),
-        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
+        .in_shift(reorder_out_shift), .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
         .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
         .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
@@ -320,17 +314,16 @@ module splat_top (
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift), .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2), .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift),
+        .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
+        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
+        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
+        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -343,13 +336,12 @@ module splat_top (
     );
 
     splat_weighting weighting (
-        .clk(clk), .rst(rst),
-        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
-        .in_attribute_2(rasterizer_out_attribute_2),
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
         .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
         .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
         .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
@@ -359,10 +351,9 @@ module splat_top (
     );
 
     splat_accumulator accumulator (
-        .clk(clk), .rst(rst),
-        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
-        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
         .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
@@ -382,9 +373,8 @@ module splat_top (
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
         .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
         .in_attribute_0(tile_cache_pixel_attribute_0), .in_attribute_1(tile_cache_pixel_attribute_1),
         .in_attribute_2(tile_cache_pixel_attribute_2),
@@ -427,27 +417,26 @@ endmodule
 // latency = 31
 // initiation_interval = 1
 module splat_normalizer (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Pixels of a finished frame.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [39:0] in_attribute_0,
-    input  wire [39:0] in_attribute_1,
-    input  wire [39:0] in_attribute_2,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [11:0] in_tile,  // Tile index.
+    input  wire [5:0] in_pixel,  // Pixel of the tile.
+    input  wire [27:0] in_weight,  // Sum of weights.
+    input  wire [51:0] in_depth,  // Sum of weighted depths.
+    input  wire [39:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [39:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [39:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire out_valid,  // Fragments.
     input  wire out_ready,
-    output wire out_end,
-    output wire [8:0] out_column,
-    output wire [8:0] out_row,
-    output wire [23:0] out_depth,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire [8:0] out_column,  // Column of the image.
+    output wire [8:0] out_row,  // Row of the image.
+    output wire [23:0] out_depth,  // Depth in the geometry format.
+    output wire [11:0] out_attribute_0,  // Attributes.
+    output wire [11:0] out_attribute_1,  // Attributes.
+    output wire [11:0] out_attribute_2  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [71:0] delay_19_from_0 [0:17];
@@ -461,8 +450,8 @@ module splat_normalizer (
     reg [23:0] delay_20_from_0_out;
     reg [4:0] delay_31_from_0_pointer;
     reg [18:0] delay_31_from_0_out;
-    reg [23:0] mul_11_d1, mul_11_d2, mul_11_d3, mul_11_d4;
-    reg [13:0] shr_28_d1, shr_42_d1, shr_55_d1;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4;
+    reg [13:0] attribute_0_out_shifted_d1, attribute_1_out_shifted_d1, attribute_2_out_shifted_d1;
     reg [30:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -474,29 +463,34 @@ module splat_normalizer (
     wire [12:0] to_fixed_f24_ftz_s13q12_unit_y, to_fixed_f24_ftz_s13q12_unit_copy2_y;
     wire [12:0] to_fixed_f24_ftz_s13q12_unit_copy3_y;
 
-    wire [13:0] min_30 = ($signed(14'h7ff) < $signed(shr_28_d1)) ? 14'h7ff : shr_28_d1;
-    wire [13:0] min_43 = ($signed(shr_42_d1) < $signed(14'h7ff)) ? shr_42_d1 : 14'h7ff;
-    wire [13:0] min_56 = ($signed(shr_55_d1) < $signed(14'h7ff)) ? shr_55_d1 : 14'h7ff;
-    wire not_23 = ~to_fixed_f24_ftz_s13q12_unit_y[12];
-    wire [13:0] joined_1 = {to_fixed_f24_ftz_s13q12_unit_y[12], to_fixed_f24_ftz_s13q12_unit_y};
-    wire [13:0] add_27 = {13'd0, not_23} + joined_1;
-    wire not_37 = ~to_fixed_f24_ftz_s13q12_unit_copy2_y[12];
-    wire [13:0] joined_2 = {to_fixed_f24_ftz_s13q12_unit_copy2_y[12], to_fixed_f24_ftz_s13q12_unit_copy2_y};
-    wire [13:0] add_41 = {13'd0, not_37} + joined_2;
-    wire not_50 = ~to_fixed_f24_ftz_s13q12_unit_copy3_y[12];
-    wire [13:0] joined_3 = {to_fixed_f24_ftz_s13q12_unit_copy3_y[12], to_fixed_f24_ftz_s13q12_unit_copy3_y};
-    wire [13:0] add_54 = {13'd0, not_50} + joined_3;
+    wire end_d31 = delay_31_from_0_out[0];
+    wire [8:0] column_out_d31 = delay_31_from_0_out[9:1];
+    wire [8:0] row_out_d31 = delay_31_from_0_out[18:10];
+    wire [13:0] attribute_0_out_lesser = ($signed(14'h7ff) < $signed(attribute_0_out_shifted_d1)) ? 14'h7ff : attribute_0_out_shifted_d1;
+    wire [13:0] attribute_1_out_lesser = ($signed(attribute_1_out_shifted_d1) < $signed(14'h7ff)) ? attribute_1_out_shifted_d1 : 14'h7ff;
+    wire [13:0] attribute_2_out_lesser = ($signed(attribute_2_out_shifted_d1) < $signed(14'h7ff)) ? attribute_2_out_shifted_d1 : 14'h7ff;
+    wire [23:0] attribute_0_float_d19 = delay_19_from_0_out[23:0];
+    wire [23:0] attribute_1_float_d19 = delay_19_from_0_out[47:24];
+    wire [23:0] attribute_2_float_d19 = delay_19_from_0_out[71:48];
+    wire not_attribute_0_out_fixed_sign = ~to_fixed_f24_ftz_s13q12_unit_y[12];
+    wire [13:0] attribute_0_out_sum_bits = {to_fixed_f24_ftz_s13q12_unit_y[12], to_fixed_f24_ftz_s13q12_unit_y};
+    wire [13:0] attribute_0_out_sum = {13'd0, not_attribute_0_out_fixed_sign} + attribute_0_out_sum_bits;
+    wire not_attribute_1_out_fixed_sign = ~to_fixed_f24_ftz_s13q12_unit_copy2_y[12];
+    wire [13:0] attribute_1_out_sum_bits = {to_fixed_f24_ftz_s13q12_unit_copy2_y[12], to_fixed_f24_ftz_s13q12_unit_copy2_y};
+    wire [13:0] attribute_1_out_sum = {13'd0, not_attribute_1_out_fixed_sign} + attribute_1_out_sum_bits;
+    wire not_attribute_2_out_fixed_sign = ~to_fixed_f24_ftz_s13q12_unit_copy3_y[12];
+    wire [13:0] attribute_2_out_sum_bits = {to_fixed_f24_ftz_s13q12_unit_copy3_y[12], to_fixed_f24_ftz_s13q12_unit_copy3_y};
+    wire [13:0] attribute_2_out_sum = {13'd0, not_attribute_2_out_fixed_sign} + attribute_2_out_sum_bits;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_out_data;
 
     stream_skid_w79 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[30]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[30]), .in_ready(queue_in_ready),
         .in_data({
-            delay_31_from_0_out[0], delay_31_from_0_out[9:1], delay_31_from_0_out[18:10], mul_11_d4, min_30[11:0],
-            min_43[11:0], min_56[11:0]
+            end_d31, column_out_d31, row_out_d31, depth_out_d4, attribute_0_out_lesser[11:0],
+            attribute_1_out_lesser[11:0], attribute_2_out_lesser[11:0]
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -519,17 +513,17 @@ module splat_normalizer (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_0_float_d19),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[47:24]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_1_float_d19),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[71:48]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_2_float_d19),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
@@ -574,13 +568,13 @@ module splat_normalizer (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            mul_11_d1 <= mul_f24_ftz_unit_y;
-            mul_11_d2 <= mul_11_d1;
-            mul_11_d3 <= mul_11_d2;
-            mul_11_d4 <= mul_11_d3;
-            shr_28_d1 <= {add_27[13], add_27[13:1]};
-            shr_42_d1 <= {add_41[13], add_41[13:1]};
-            shr_55_d1 <= {add_54[13], add_54[13:1]};
+            depth_out_d1 <= mul_f24_ftz_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
+            depth_out_d4 <= depth_out_d3;
+            attribute_0_out_shifted_d1 <= {attribute_0_out_sum[13], attribute_0_out_sum[13:1]};
+            attribute_1_out_shifted_d1 <= {attribute_1_out_sum[13], attribute_1_out_sum[13:1]};
+            attribute_2_out_shifted_d1 <= {attribute_2_out_sum[13], attribute_2_out_sum[13:1]};
         end
     end
     always @(posedge clk) begin
@@ -605,7 +599,10 @@ module splat_normalizer (
         if (queue_in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
 
-    wire _unused = &{1'b0, add_27[0], add_41[0], add_54[0], min_30[13:12], min_43[13:12], min_56[13:12]};
+    wire _unused = &{
+        1'b0, attribute_0_out_lesser[13:12], attribute_0_out_sum[0], attribute_1_out_lesser[13:12],
+        attribute_1_out_sum[0], attribute_2_out_lesser[13:12], attribute_2_out_sum[0]
+    };
 endmodule
 
 // Floating to fixed point.
@@ -615,9 +612,7 @@ endmodule
 // fraction = 12
 // integer = signed
 module float_to_fixed_s3_f24ftz_w13_f12_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [12:0] y
 );
     reg [3:0] distance_s1;
@@ -626,32 +621,32 @@ module float_to_fixed_s3_f24ftz_w13_f12_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78e;
-    wire [10:0] difference_2 = 11'd16 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78e;
+    wire [10:0] distance_s1_difference = 11'd16 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] shifted_3 = significand_s1 >> distance_s1;
-    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_5 = &a_field & (a_fraction == 15'd0);
-    wire [12:0] choice_6 = saturates_s2 ? (sign_s2 ? 13'h1000 : 13'hfff) : sign_s2 ? (~magnitude_s2 + 13'd1) : magnitude_s2;
+    wire [15:0] magnitude_s2_shifted = significand_s1 >> distance_s1;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [12:0] y_choice = saturates_s2 ? (sign_s2 ? 13'h1000 : 13'hfff) : sign_s2 ? (~magnitude_s2 + 13'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[3:0];
+            distance_s1 <= distance_s1_difference[3:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
-            magnitude_s2 <= shifted_3[12:0];
+            magnitude_s2 <= magnitude_s2_shifted[12:0];
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_4 & (11'd13 <= sum_1) & |a_field) | term_5;
+            saturates_s1 <= (~vanishes_s1_either & (11'd13 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 13'd0 : choice_6;
+            y <= (vanishes_s2 | nan_s2) ? 13'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:4], shifted_3[15:13]};
+    wire _unused = &{1'b0, distance_s1_difference[10:4], magnitude_s2_shifted[15:13]};
 endmodule
 
 // Fixed to floating point.
@@ -661,9 +656,7 @@ endmodule
 // fraction = 27
 // integer = signed
 module float_from_fixed_s4_f24ftz_w40_f27_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [39:0] a,
+    input  wire clk, input wire enable, input wire [39:0] a,
     output reg  [23:0] y
 );
     reg [39:0] magnitude_s1, magnitude_s2;
@@ -672,60 +665,68 @@ module float_from_fixed_s4_f24ftz_w40_f27_signed (
     reg [17:0] significand_s3;
     reg sign_s1, sign_s2, sign_s3, zero_s1, zero_s2, zero_s3;
 
-    wire [39:0] choice_1 = a[39] ? (~a + 40'd1) : a;
-    wire term_2 = ~magnitude_s1[39] & ~magnitude_s1[38];
-    wire term_3 = term_2 & (~magnitude_s1[37] & ~magnitude_s1[36]);
-    wire term_4 = ~magnitude_s1[35] & ~magnitude_s1[34];
-    wire term_5 = term_3 & (term_4 & (~magnitude_s1[33] & ~magnitude_s1[32]));
-    wire term_6 = ~magnitude_s1[31] & ~magnitude_s1[30];
-    wire term_7 = term_6 & (~magnitude_s1[29] & ~magnitude_s1[28]);
-    wire term_8 = ~magnitude_s1[27] & ~magnitude_s1[26];
-    wire term_9 = term_7 & (term_8 & (~magnitude_s1[25] & ~magnitude_s1[24]));
-    wire term_10 = term_5 & term_9;
-    wire term_11 = ~magnitude_s1[23] & ~magnitude_s1[22];
-    wire term_12 = term_11 & (~magnitude_s1[21] & ~magnitude_s1[20]);
-    wire term_13 = ~magnitude_s1[19] & ~magnitude_s1[18];
-    wire term_14 = term_12 & (term_13 & (~magnitude_s1[17] & ~magnitude_s1[16]));
-    wire term_15 = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire term_16 = term_15 & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire term_17 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire term_18 = term_16 & (term_17 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire term_19 = term_10 & (term_14 & term_18);
-    wire term_20 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire term_21 = term_20 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire term_22 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire term_23 = term_21 & (term_22 & (~magnitude_s1[1] & ~magnitude_s1[0]));
-    wire [1:0] choice_24 = term_21 ? {term_22, term_22 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_20, term_20 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [1:0] joined_25 = {term_17, term_17 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
-    wire [1:0] joined_26 = {term_15, term_15 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [1:0] joined_27 = {term_13, term_13 ? ~magnitude_s1[17] : ~magnitude_s1[19]};
-    wire [1:0] joined_28 = {term_11, term_11 ? ~magnitude_s1[21] : ~magnitude_s1[23]};
-    wire [2:0] choice_29 = term_14 ? {term_16, term_16 ? joined_25 : joined_26} : {term_12, term_12 ? joined_27 : joined_28};
-    wire [1:0] choice_30 = term_7 ? {term_8, term_8 ? ~magnitude_s1[25] : ~magnitude_s1[27]} : {term_6, term_6 ? ~magnitude_s1[29] : ~magnitude_s1[31]};
-    wire [1:0] choice_31 = term_3 ? {term_4, term_4 ? ~magnitude_s1[33] : ~magnitude_s1[35]} : {term_2, term_2 ? ~magnitude_s1[37] : ~magnitude_s1[39]};
-    wire [3:0] joined_32 = {term_5, term_5 ? {term_7, choice_30} : {term_3, choice_31}};
-    wire [4:0] choice_33 = term_19 ? {1'd0, term_23, term_23 ? 3'd0 : {term_21, choice_24}} : {term_10, term_10 ? {term_14, choice_29} : joined_32};
-    wire [39:0] shifted_34 = magnitude_s2 << zeros_s2;
-    wire term_35 = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire [39:0] magnitude_s1_choice = a[39] ? (~a + 40'd1) : a;
+    wire zeros_s2_both = ~magnitude_s1[39] & ~magnitude_s1[38];
+    wire zeros_s2_both_2 = zeros_s2_both & (~magnitude_s1[37] & ~magnitude_s1[36]);
+    wire zeros_s2_both_3 = ~magnitude_s1[35] & ~magnitude_s1[34];
+    wire zeros_s2_both_4 = zeros_s2_both_2 & (zeros_s2_both_3 & (~magnitude_s1[33] & ~magnitude_s1[32]));
+    wire zeros_s2_both_5 = ~magnitude_s1[31] & ~magnitude_s1[30];
+    wire zeros_s2_both_6 = zeros_s2_both_5 & (~magnitude_s1[29] & ~magnitude_s1[28]);
+    wire zeros_s2_both_7 = ~magnitude_s1[27] & ~magnitude_s1[26];
+    wire zeros_s2_both_8 = zeros_s2_both_6 & (zeros_s2_both_7 & (~magnitude_s1[25] & ~magnitude_s1[24]));
+    wire zeros_s2_both_9 = zeros_s2_both_4 & zeros_s2_both_8;
+    wire zeros_s2_both_10 = ~magnitude_s1[23] & ~magnitude_s1[22];
+    wire zeros_s2_both_11 = zeros_s2_both_10 & (~magnitude_s1[21] & ~magnitude_s1[20]);
+    wire zeros_s2_both_12 = ~magnitude_s1[19] & ~magnitude_s1[18];
+    wire zeros_s2_both_13 = zeros_s2_both_11 & (zeros_s2_both_12 & (~magnitude_s1[17] & ~magnitude_s1[16]));
+    wire zeros_s2_both_14 = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire zeros_s2_both_15 = zeros_s2_both_14 & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire zeros_s2_both_16 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire zeros_s2_both_17 = zeros_s2_both_15 & (zeros_s2_both_16 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire zeros_s2_both_18 = zeros_s2_both_9 & (zeros_s2_both_13 & zeros_s2_both_17);
+    wire zeros_s2_both_19 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire zeros_s2_both_20 = zeros_s2_both_19 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire zeros_s2_both_21 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire zeros_s2_both_22 = zeros_s2_both_20 & (zeros_s2_both_21 & (~magnitude_s1[1] & ~magnitude_s1[0]));
+    wire [1:0] zeros_s2_bits = {zeros_s2_both_21, zeros_s2_both_21 ? ~magnitude_s1[1] : ~magnitude_s1[3]};
+    wire [1:0] zeros_s2_bits_2 = {zeros_s2_both_19, zeros_s2_both_19 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [2:0] zeros_s2_bits_3 = {zeros_s2_both_20, zeros_s2_both_20 ? zeros_s2_bits : zeros_s2_bits_2};
+    wire [4:0] zeros_s2_bits_4 = {1'd0, zeros_s2_both_22, zeros_s2_both_22 ? 3'd0 : zeros_s2_bits_3};
+    wire [1:0] zeros_s2_bits_5 = {zeros_s2_both_16, zeros_s2_both_16 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
+    wire [1:0] zeros_s2_bits_6 = {zeros_s2_both_14, zeros_s2_both_14 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [2:0] zeros_s2_bits_7 = {zeros_s2_both_15, zeros_s2_both_15 ? zeros_s2_bits_5 : zeros_s2_bits_6};
+    wire [1:0] zeros_s2_bits_8 = {zeros_s2_both_12, zeros_s2_both_12 ? ~magnitude_s1[17] : ~magnitude_s1[19]};
+    wire [1:0] zeros_s2_bits_9 = {zeros_s2_both_10, zeros_s2_both_10 ? ~magnitude_s1[21] : ~magnitude_s1[23]};
+    wire [2:0] zeros_s2_bits_10 = {zeros_s2_both_11, zeros_s2_both_11 ? zeros_s2_bits_8 : zeros_s2_bits_9};
+    wire [3:0] zeros_s2_bits_11 = {zeros_s2_both_13, zeros_s2_both_13 ? zeros_s2_bits_7 : zeros_s2_bits_10};
+    wire [1:0] zeros_s2_bits_12 = {zeros_s2_both_7, zeros_s2_both_7 ? ~magnitude_s1[25] : ~magnitude_s1[27]};
+    wire [1:0] zeros_s2_bits_13 = {zeros_s2_both_5, zeros_s2_both_5 ? ~magnitude_s1[29] : ~magnitude_s1[31]};
+    wire [2:0] zeros_s2_bits_14 = {zeros_s2_both_6, zeros_s2_both_6 ? zeros_s2_bits_12 : zeros_s2_bits_13};
+    wire [1:0] zeros_s2_bits_15 = {zeros_s2_both_3, zeros_s2_both_3 ? ~magnitude_s1[33] : ~magnitude_s1[35]};
+    wire [1:0] zeros_s2_bits_16 = {zeros_s2_both, zeros_s2_both ? ~magnitude_s1[37] : ~magnitude_s1[39]};
+    wire [2:0] zeros_s2_bits_17 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_15 : zeros_s2_bits_16};
+    wire [3:0] zeros_s2_bits_18 = {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_14 : zeros_s2_bits_17};
+    wire [4:0] zeros_s2_bits_19 = {zeros_s2_both_9, zeros_s2_both_9 ? zeros_s2_bits_11 : zeros_s2_bits_18};
+    wire [39:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
+    wire y_both = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_36 = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_37 = (zero_s3 | (exponent_s3[8] | term_35)) ? 23'd0 : choice_36;
+    wire [22:0] y_choice = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            magnitude_s1 <= choice_1;
+            magnitude_s1 <= magnitude_s1_choice;
             magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {term_19, choice_33};
+            zeros_s2 <= {zeros_s2_both_18, zeros_s2_both_18 ? zeros_s2_bits_4 : zeros_s2_bits_19};
             exponent_s3 <= 9'd139 - {3'd0, zeros_s2};
-            significand_s3 <= {shifted_34[39:23], |shifted_34[22:0]};
+            significand_s3 <= {significand_s3_shifted[39:23], |significand_s3_shifted[22:0]};
             sign_s1 <= a[39];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            zero_s1 <= choice_1 == 40'd0;
+            zero_s1 <= magnitude_s1_choice == 40'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= {sign_s3, choice_37};
+            y <= {sign_s3, (zero_s3 | (exponent_s3[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -739,9 +740,7 @@ endmodule
 // fraction = 40
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [51:0] a,
+    input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [23:0] y
 );
     reg [51:0] magnitude_s1;
@@ -750,59 +749,61 @@ module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[51] & ~a[50];
-    wire term_2 = term_1 & (~a[49] & ~a[48]);
-    wire term_3 = ~a[47] & ~a[46];
-    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
-    wire term_5 = ~a[43] & ~a[42];
-    wire term_6 = term_5 & (~a[41] & ~a[40]);
-    wire term_7 = ~a[39] & ~a[38];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
-    wire term_9 = ~a[35] & ~a[34];
-    wire term_10 = term_9 & (~a[33] & ~a[32]);
-    wire term_11 = ~a[31] & ~a[30];
-    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
-    wire term_13 = ~a[27] & ~a[26];
-    wire term_14 = term_13 & (~a[25] & ~a[24]);
-    wire term_15 = ~a[23] & ~a[22];
-    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
-    wire term_17 = ~a[19] & ~a[18];
-    wire term_18 = term_17 & (~a[17] & ~a[16]);
-    wire term_19 = ~a[15] & ~a[14];
-    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
-    wire term_21 = ~a[11] & ~a[10];
-    wire term_22 = term_21 & (~a[9] & ~a[8]);
-    wire term_23 = ~a[7] & ~a[6];
-    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
-    wire term_25 = ~a[3] & ~a[2];
-    wire term_26 = term_25 & (~a[1] & ~a[0]);
-    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
-    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
-    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
-    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
-    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
-    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
-    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
-    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
-    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
-    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
-    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
+    wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
+    wire not_a_47_and_not_a_46 = ~a[47] & ~a[46];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_47_and_not_a_46 & (~a[45] & ~a[44]));
+    wire not_a_43_and_not_a_42 = ~a[43] & ~a[42];
+    wire zeros_s1_both_3 = not_a_43_and_not_a_42 & (~a[41] & ~a[40]);
+    wire not_a_39_and_not_a_38 = ~a[39] & ~a[38];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_39_and_not_a_38 & (~a[37] & ~a[36])));
+    wire not_a_35_and_not_a_34 = ~a[35] & ~a[34];
+    wire zeros_s1_both_5 = not_a_35_and_not_a_34 & (~a[33] & ~a[32]);
+    wire not_a_31_and_not_a_30 = ~a[31] & ~a[30];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_31_and_not_a_30 & (~a[29] & ~a[28]));
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both_7 = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_8 = zeros_s1_both_6 & (zeros_s1_both_7 & (not_a_23_and_not_a_22 & (~a[21] & ~a[20])));
+    wire zeros_s1_both_9 = zeros_s1_both_4 & zeros_s1_both_8;
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_10 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_11 = zeros_s1_both_10 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12]));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_12 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_13 = zeros_s1_both_11 & (zeros_s1_both_12 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4])));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_14 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_14 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_12 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [1:0] zeros_s1_choice_3 = zeros_s1_both_10 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [2:0] zeros_s1_choice_4 = zeros_s1_both_11 ? {zeros_s1_both_12, zeros_s1_choice_2} : {zeros_s1_both_10, zeros_s1_choice_3};
+    wire [3:0] zeros_s1_choice_5 = zeros_s1_both_13 ? {1'd0, zeros_s1_both_14, zeros_s1_choice} : {zeros_s1_both_11, zeros_s1_choice_4};
+    wire [1:0] zeros_s1_choice_6 = zeros_s1_both_7 ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [1:0] zeros_s1_choice_7 = zeros_s1_both_5 ? {not_a_31_and_not_a_30, not_a_31_and_not_a_30 ? ~a[29] : ~a[31]} : {not_a_35_and_not_a_34, not_a_35_and_not_a_34 ? ~a[33] : ~a[35]};
+    wire [2:0] zeros_s1_choice_8 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice_6} : {zeros_s1_both_5, zeros_s1_choice_7};
+    wire [1:0] zeros_s1_choice_9 = zeros_s1_both_3 ? {not_a_39_and_not_a_38, not_a_39_and_not_a_38 ? ~a[37] : ~a[39]} : {not_a_43_and_not_a_42, not_a_43_and_not_a_42 ? ~a[41] : ~a[43]};
+    wire [1:0] zeros_s1_choice_10 = zeros_s1_both ? {not_a_47_and_not_a_46, not_a_47_and_not_a_46 ? ~a[45] : ~a[47]} : {not_a_51_and_not_a_50, not_a_51_and_not_a_50 ? ~a[49] : ~a[51]};
+    wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
+    wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
+    wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
+    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 23'd0 : choice_40;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_16, choice_37};
+            zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
             exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {shifted_38[51:35], |shifted_38[34:0]};
+            significand_s2 <= {significand_s2_shifted[51:35], |significand_s2_shifted[34:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_41};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -816,9 +817,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [27:0] a,
+    input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [23:0] y
 );
     reg [27:0] magnitude_s1;
@@ -827,42 +826,42 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[27] & ~a[26];
-    wire term_2 = term_1 & (~a[25] & ~a[24]);
-    wire term_3 = ~a[23] & ~a[22];
-    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
-    wire term_5 = ~a[19] & ~a[18];
-    wire term_6 = term_5 & (~a[17] & ~a[16]);
-    wire term_7 = ~a[15] & ~a[14];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
-    wire term_9 = ~a[11] & ~a[10];
-    wire term_10 = term_9 & (~a[9] & ~a[8]);
-    wire term_11 = ~a[7] & ~a[6];
-    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
-    wire term_13 = ~a[3] & ~a[2];
-    wire term_14 = term_13 & (~a[1] & ~a[0]);
-    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
-    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
-    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
-    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
-    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
-    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_23_and_not_a_22 & (~a[21] & ~a[20]));
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_3 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12])));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_5 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4]));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_7 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_7 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_5 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [2:0] zeros_s1_choice_3 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice} : {zeros_s1_both_5, zeros_s1_choice_2};
+    wire [1:0] zeros_s1_choice_4 = zeros_s1_both_3 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
+    wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
+    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 23'd0 : choice_23;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_8, choice_20};
+            zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
             exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {shifted_21[27:11], |shifted_21[10:0]};
+            significand_s2 <= {significand_s2_shifted[27:11], |significand_s2_shifted[10:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_24};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -872,14 +871,9 @@ endmodule
 // Queue of two in registers.
 // width = 79
 module stream_skid_w79 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [78:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [78:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [78:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [78:0] out_data
 );
     reg second_valid;
     reg [78:0] head, second;
@@ -905,17 +899,14 @@ module stream_skid_w79 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -924,8 +915,7 @@ endmodule
 // slots = 2
 // stages = 7
 module splat_accumulator (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Samples with their contributions.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -980,12 +970,19 @@ module splat_accumulator (
     reg [5:0] pixel_7;
     reg valid_8, inside_8, last_8, slot_8;
     reg [5:0] pixel_8;
-    reg head_valid, head_end, head_last, head_inside, head_slot;
-    reg [5:0] head_pixel;
-    reg [15:0] head_weight;
-    reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low, head_depth_high;
-    reg [27:0] head_attribute_0, head_attribute_1, head_attribute_2;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg head_last;  // Closes its copy.
+    reg head_inside;  // Lies inside the splat.
+    reg head_slot;  // Slot of the tile cache.
+    reg [5:0] head_pixel;  // Pixel of the tile.
+    reg [15:0] head_weight;  // Kernel weight.
+    reg [39:0] head_weighted_depth;  // Weighted depth.
+    reg [23:0] head_depth_low;  // Near end of the depth band.
+    reg [23:0] head_depth_high;  // Far end of the depth band.
+    reg [27:0] head_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] head_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
     wire [199:0] slot_0_read;
@@ -993,18 +990,27 @@ module splat_accumulator (
     wire [199:0] slot_1_read;
     reg [199:0] slot_1_pixel, stored;
     reg drained_slot;
-    reg [15:0] sample_1_weight;
-    reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low, sample_1_depth_high;
-    reg [27:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2;
-    reg [15:0] sample_2_weight;
-    reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low, sample_2_depth_high;
-    reg [27:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2;
-    reg [15:0] sample_3_weight;
-    reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low, sample_3_depth_high;
-    reg [27:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2;
+    reg [15:0] sample_1_weight;  // Kernel weight.
+    reg [39:0] sample_1_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_1_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_1_depth_high;  // Far end of the depth band.
+    reg [27:0] sample_1_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_1_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_1_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_weight;  // Kernel weight.
+    reg [39:0] sample_2_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_2_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_2_depth_high;  // Far end of the depth band.
+    reg [27:0] sample_2_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_2_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_2_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_weight;  // Kernel weight.
+    reg [39:0] sample_3_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_3_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_3_depth_high;  // Far end of the depth band.
+    reg [27:0] sample_3_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_3_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [27:0] sample_3_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
     reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
     reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
@@ -1029,26 +1035,26 @@ module splat_accumulator (
     wire [199:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [199:0] joined_1 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
-    wire [39:0] choice_2 = late_pass_5 ? {{12{attribute_0_8[27]}}, attribute_0_8} : sum_of_attribute_0_8;
-    wire [39:0] choice_3 = late_pass_5 ? {{12{attribute_1_8[27]}}, attribute_1_8} : sum_of_attribute_1_8;
-    wire [39:0] choice_4 = late_pass_5 ? {{12{attribute_2_8[27]}}, attribute_2_8} : sum_of_attribute_2_8;
+    wire [199:0] slot_1_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [39:0] result_choice = late_pass_5 ? {{12{attribute_0_8[27]}}, attribute_0_8} : sum_of_attribute_0_8;
+    wire [39:0] result_choice_2 = late_pass_5 ? {{12{attribute_1_8[27]}}, attribute_1_8} : sum_of_attribute_1_8;
+    wire [39:0] result_choice_3 = late_pass_5 ? {{12{attribute_2_8[27]}}, attribute_2_8} : sum_of_attribute_2_8;
     wire [199:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        choice_2, choice_3, choice_4
+        result_choice, result_choice_2, result_choice_3
     };
-    wire term_5 = head_valid & ~head_end;
-    wire may_issue_inside = term_5 & head_inside;
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_6 = drain_enable & ~drain_slot;
+    wire slot_0_pixel_enable_both = drain_enable & ~drain_slot;
     wire filling_1 = fill_valid & fill_slot;
-    wire term_7 = drain_enable & drain_slot;
+    wire drain_enable_and_drain_slot = drain_enable & drain_slot;
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_5 & ~(slot_wait | hazard);
-    wire term_8 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_8 | valid_7 | valid_8);
+    wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
+    wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
+    wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire places_out_end = places_out_data[9];
     wire places_out_last = places_out_data[8];
@@ -1062,48 +1068,44 @@ module splat_accumulator (
     wire [27:0] samples_out_attribute_0 = samples_out_data[83:56];
     wire [27:0] samples_out_attribute_1 = samples_out_data[55:28];
     wire [27:0] samples_out_attribute_2 = samples_out_data[27:0];
-    wire term_9 = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
-    wire [7:0] joined_10 = {
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire [7:0] collisions_bits = {
         inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
         inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
         inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
         inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
         inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
         inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), term_9
+        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [1:0] shifted_11 = slot_ready >> places_out_slot;
-    wire [1:0] shifted_12 = slot_ready >> head_slot;
+    wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
 
     assign in_ready = places_in_ready;
     assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
 
     memory_1w1r_unordered #(.WIDTH(200), .DEPTH(64)) slot_0_pixels (
-        .clk(clk),
-        .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? joined_1 : result),
-        .read(slot_ready[0] ? (issue_inside & ~head_slot) : term_6),
+        .clk(clk), .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & ~head_slot) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(200), .DEPTH(64)) slot_1_pixels (
-        .clk(clk),
-        .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? joined_1 : result),
-        .read(slot_ready[1] ? (issue_inside & head_slot) : term_7),
+        .clk(clk), .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & head_slot) : drain_enable_and_drain_slot),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
     stream_fifo_d64_w10_distributed places (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w188 samples (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
             in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
             in_attribute_2
@@ -1112,8 +1114,8 @@ module splat_accumulator (
     );
 
     splat_depth_test depth_test (
-        .clk(clk), .rst(rst), .weight(stored[199:172]),
-        .depth(stored[171:120]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .clk(clk), .rst(rst), .weight(stored[199:172]), .depth(stored[171:120]),
+        .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
@@ -1192,8 +1194,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_10 : (collisions << 1);
-        arrived <= head_takes ? shifted_11[0] : shifted_12[0];
+        collisions <= head_takes ? collisions_bits : (collisions << 1);
+        arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -1284,33 +1286,29 @@ module splat_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
-        if (slot_ready[0] | term_6) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | term_7) slot_1_pixel <= slot_1_read;
+        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | drain_enable_and_drain_slot) slot_1_pixel <= slot_1_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_11[1], shifted_12[1]};
+    wire _unused = &{1'b0, arrived_shifted[1], arrived_shifted_2[1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(places_out_valid == samples_out_valid)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                queues_move_together: assert (0);
+        queues_move_together: assert (places_out_valid == samples_out_valid);
 `else
-                $display("assertion failed: queues_move_together in %m");
-                $stop;
-`endif
-            end
+        if (!(places_out_valid == samples_out_valid)) begin
+            $display("assertion failed: queues_move_together in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Compares a pixel's normalized depth with a splat's depth band.
 module splat_depth_test (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire [27:0] weight,  // The pixel's sum of weights.
     input  wire [51:0] depth,  // The pixel's sum of weighted depths.
     input  wire [23:0] depth_low,  // Near end of the sample's depth band.
@@ -1324,8 +1322,8 @@ module splat_depth_test (
     reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
-    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
-    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+    wire [51:0] low_bound_either = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] high_bound_either = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1343,12 +1341,12 @@ module splat_depth_test (
         low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
         low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
         low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
-        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        low_bound <= low_bound_either + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
         high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
         high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
         high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
         high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
-        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+        high_bound <= high_bound_either + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
     end
 endmodule
 
@@ -1356,14 +1354,9 @@ endmodule
 // depth = 64
 // width = 188
 module stream_fifo_d64_w188 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [187:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [187:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [187:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [187:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -1378,8 +1371,7 @@ module stream_fifo_d64_w188 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(188), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1400,25 +1392,16 @@ module stream_fifo_d64_w188 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1428,14 +1411,9 @@ endmodule
 // width = 10
 // storage = distributed
 module stream_fifo_d64_w10_distributed (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [9:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [9:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [9:0] entries [0:63];
@@ -1472,25 +1450,16 @@ module stream_fifo_d64_w10_distributed (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1499,49 +1468,50 @@ endmodule
 // latency = 3
 // initiation_interval = 1
 module splat_weighting (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Samples.
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire in_last,  // Closes its copy.
+    input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
+    input  wire [15:0] in_weight,  // Kernel weight.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [11:0] in_attribute_0,  // Attributes.
+    input  wire [11:0] in_attribute_1,  // Attributes.
+    input  wire [11:0] in_attribute_2,  // Attributes.
+    output wire out_valid,  // Samples with their contributions.
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [27:0] out_attribute_0,
-    output wire [27:0] out_attribute_1,
-    output wire [27:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire out_last,  // Closes its copy.
+    output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    output wire out_slot,  // Slot of the tile cache.
+    output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
+    output wire [15:0] out_weight,  // Kernel weight.
+    output wire [39:0] out_weighted_depth,  // Weighted depth.
+    output wire [23:0] out_depth_low,  // Near end of the depth band.
+    output wire [23:0] out_depth_high,  // Far end of the depth band.
+    output wire [27:0] out_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [27:0] out_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [27:0] out_attribute_2  // Weighted continuous attributes, and cardinal ones as they are.
 );
     reg end_d1, end_d2, end_d3, last_d1, last_d2, last_d3, inside_d1, inside_d2, inside_d3, slot_d1, slot_d2;
     reg slot_d3;
     reg [5:0] pixel_d1, pixel_d2, pixel_d3;
     reg [15:0] weight_d1, weight_d2, weight_d3;
     reg [23:0] depth_low_d1, depth_low_d2, depth_low_d3, depth_high_d1, depth_high_d2, depth_high_d3;
-    reg [27:0] resize_17_d1, resize_20_d1, resize_23_d1;
+    reg [27:0] attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1;
     reg [2:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
     wire [197:0] queue_out_data;
     wire [39:0] mul_u16_u24_unit_y;
     wire [28:0] mul_s17_s12_unit_y, mul_s17_s12_unit_copy2_y, mul_s17_s12_unit_copy3_y;
+
+    wire [16:0] factor = {1'd0, in_weight};
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
@@ -1551,11 +1521,10 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w198 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[2]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[2]), .in_ready(queue_in_ready),
         .in_data({
             end_d3, last_d3, inside_d3, slot_d3, pixel_d3, weight_d3, mul_u16_u24_unit_y, depth_low_d3,
-            depth_high_d3, resize_17_d1, resize_20_d1, resize_23_d1
+            depth_high_d3, attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -1565,25 +1534,20 @@ module splat_weighting (
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit (
-        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_1),
-        .y(mul_s17_s12_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_1), .y(mul_s17_s12_unit_copy2_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_2),
-        .y(mul_s17_s12_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_2), .y(mul_s17_s12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
-        if (rst) begin
-            in_flight <= 3'd0;
-        end else if (queue_in_ready) begin
-            in_flight <= {in_flight[1:0], in_valid};
-        end
+        if (rst) in_flight <= 3'd0;
+        else if (queue_in_ready) in_flight <= {in_flight[1:0], in_valid};
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
@@ -1611,9 +1575,9 @@ module splat_weighting (
             depth_high_d1 <= in_depth_high;
             depth_high_d2 <= depth_high_d1;
             depth_high_d3 <= depth_high_d2;
-            resize_17_d1 <= mul_s17_s12_unit_y[27:0];
-            resize_20_d1 <= mul_s17_s12_unit_copy2_y[27:0];
-            resize_23_d1 <= mul_s17_s12_unit_copy3_y[27:0];
+            attribute_0_out_d1 <= mul_s17_s12_unit_y[27:0];
+            attribute_1_out_d1 <= mul_s17_s12_unit_copy2_y[27:0];
+            attribute_2_out_d1 <= mul_s17_s12_unit_copy3_y[27:0];
         end
     end
 
@@ -1625,10 +1589,7 @@ endmodule
 // a = s17
 // b = s12
 module integer_mul_s2_s17_s12 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [16:0] a,
-    input  wire [11:0] b,
+    input  wire clk, input wire enable, input wire [16:0] a, input wire [11:0] b,
     output reg  [28:0] y
 );
     reg [16:0] a_s1;
@@ -1648,10 +1609,7 @@ endmodule
 // a = u16
 // b = u24
 module integer_mul_s3_u16_u24 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [23:0] b,
     output reg  [39:0] y
 );
     reg [15:0] a_s1;
@@ -1672,14 +1630,9 @@ endmodule
 // Queue of two in registers.
 // width = 198
 module stream_skid_w198 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [197:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [197:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [197:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [197:0] out_data
 );
     reg second_valid;
     reg [197:0] head, second;
@@ -1705,25 +1658,21 @@ module stream_skid_w198 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies with their slots.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -1771,11 +1720,16 @@ module splat_rasterizer (
     reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
     reg [2:0] column, row, left, right, bottom;
-    reg [25:0] center_x, center_y;
-    reg [15:0] ax, bx, ay, by;
-    reg [19:0] delta;
-    reg [15:0] mx, my;
-    reg [3:0] shift;
+    reg [25:0] center_x;  // Projected center (px), the origin of what follows.
+    reg [25:0] center_y;  // Projected center (px), the origin of what follows.
+    reg [15:0] ax;  // `A` in x.
+    reg [15:0] bx;  // `B` in x.
+    reg [15:0] ay;  // `A` in y.
+    reg [15:0] by;  // `B` in y.
+    reg [19:0] delta;  // The determinant of `A` and `B`.
+    reg [15:0] mx;  // `m` in x.
+    reg [15:0] my;  // `m` in y.
+    reg [3:0] shift;  // In fixed point, places by which offsets from the centre are shifted.
 
     wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
     wire evaluation_out_inside, evaluation_out_slot;
@@ -1786,11 +1740,11 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire term_2 = column == right;
-    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
-    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
-    wire term_5 = {choice_3, choice_4} == {right, bottom};
+    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire column_is_right = column == right;
+    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
+    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
+    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
     assign out_valid = evaluation_out_valid;
@@ -1803,11 +1757,10 @@ module splat_rasterizer (
     assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk), .rst(rst),
-        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
-        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
-        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
-        .in_my(my), .in_shift(shift),
+        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
+        .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
+        .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_shift(shift),
         .filter_scale(filter_scale),
         .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
         .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
@@ -1815,8 +1768,7 @@ module splat_rasterizer (
     );
 
     stream_fifo_d64_w108 shared (
-        .clk(clk), .rst(rst),
-        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2}),
         .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
         .out_data(shared_out_data)
@@ -1832,7 +1784,7 @@ module splat_rasterizer (
         end else begin
             if (evaluation_in_ready) begin
                 busy <= load | (busy & ~is_last);
-                idle <= load ? term_1 : (~busy | (is_last | term_5));
+                idle <= load ? idle_either : (~busy | (is_last | idle_same));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -1859,9 +1811,9 @@ module splat_rasterizer (
             shift <= in_shift;
         end
         if (evaluation_in_ready) begin
-            is_last <= load ? term_1 : term_5;
-            column <= load ? in_left : choice_3;
-            row <= load ? in_top : choice_4;
+            is_last <= load ? idle_either : idle_same;
+            column <= load ? in_left : idle_choice;
+            row <= load ? in_top : idle_choice_2;
         end
     end
 
@@ -1872,14 +1824,9 @@ endmodule
 // depth = 64
 // width = 108
 module stream_fifo_d64_w108 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [107:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [107:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [107:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [107:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -1894,8 +1841,7 @@ module stream_fifo_d64_w108 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(108), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1916,25 +1862,16 @@ module stream_fifo_d64_w108 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1943,33 +1880,16 @@ endmodule
 // latency = 37
 // initiation_interval = 1
 module splat_evaluation (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_slot,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [25:0] in_center_x,
-    input  wire [25:0] in_center_y,
-    input  wire [15:0] in_ax,
-    input  wire [15:0] in_bx,
-    input  wire [15:0] in_ay,
-    input  wire [15:0] in_by,
-    input  wire [19:0] in_delta,
-    input  wire [15:0] in_mx,
-    input  wire [15:0] in_my,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
+    input  wire in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
+    input  wire [25:0] in_center_x, input wire [25:0] in_center_y, input wire [15:0] in_ax,
+    input  wire [15:0] in_bx, input wire [15:0] in_ay, input wire [15:0] in_by,
+    input  wire [19:0] in_delta, input wire [15:0] in_mx, input wire [15:0] in_my,
     input  wire [3:0] in_shift,
     input  wire [15:0] filter_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
+    output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
+    output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -2009,82 +1929,89 @@ module splat_evaluation (
     reg [5:0] delay_37_from_0_pointer;
     reg [6:0] delay_37_from_0_out;
     reg end_d17;
-    reg [22:0] resize_33_d1;
-    reg bits_34_d1, bits_38_d1, bits_42_d1;
-    reg [15:0] resize_45_d1;
-    reg [22:0] resize_48_d1;
-    reg [15:0] resize_57_d1, reinterpret_58_d1, reinterpret_58_d2, reinterpret_60_d1, reinterpret_60_d2;
-    reg [31:0] sub_62_d1;
-    reg [15:0] reinterpret_63_d1, reinterpret_63_d2, reinterpret_65_d1, reinterpret_65_d2;
-    reg [31:0] sub_67_d1;
-    reg [15:0] reinterpret_69_d1, reinterpret_69_d2, reinterpret_71_d1, reinterpret_71_d2;
-    reg [31:0] mul_72_d1;
-    reg [32:0] shl_76_d1, shl_76_d2, shl_76_d3, shl_76_d4, add_77_d1, add_78_d1;
-    reg [31:0] bits_82_d1, bits_82_d2;
-    reg [30:0] bits_86_d1;
-    reg [31:0] resize_87_d1, resize_87_d2;
-    reg [30:0] bits_91_d1;
-    reg [31:0] resize_92_d1, resize_92_d2;
-    reg equal_96_d1, equal_98_d1, equal_100_d1, not_102_d1, and_103_d1, and_103_d2;
-    reg [31:0] select_105_d1, select_107_d1, select_109_d1;
-    reg equal_112_d1, equal_114_d1, equal_116_d1, and_119_d1, or_120_d1;
-    reg [24:0] bits_123_d1, bits_126_d1, bits_129_d1;
-    reg equal_132_d1, equal_134_d1, equal_136_d1, and_139_d1, equal_152_d1, and_157_d1, or_160_d1;
-    reg [18:0] bits_163_d1, bits_166_d1, bits_169_d1;
-    reg equal_171_d1, not_177_d1;
-    reg [17:0] bits_182_d1, bits_185_d1, bits_188_d1;
-    reg [35:0] mul_189_d1;
-    reg [36:0] add_194_d1;
-    reg lt_196_d1, not_197_d1, not_197_d2, not_197_d3, not_197_d4;
-    reg [23:0] resize_205_d1, resize_205_d2, resize_205_d3, resize_205_d4, resize_205_d5, resize_205_d6;
-    reg [23:0] resize_205_d7, resize_205_d8, resize_205_d9, resize_205_d10, resize_205_d11, resize_205_d12;
-    reg [23:0] resize_205_d13, resize_205_d14, resize_205_d15, resize_205_d16, shl_207_d1;
-    reg not_212_d1;
-    reg [23:0] shl_214_d1;
-    reg [1:0] concat_220_d1;
-    reg [23:0] shl_222_d1;
-    reg [2:0] concat_228_d1;
-    reg [23:0] shl_230_d1;
-    reg [3:0] concat_236_d1;
-    reg [23:0] shl_238_d1;
-    reg [4:0] concat_244_d1;
-    reg [23:0] shl_246_d1;
-    reg [5:0] concat_252_d1;
-    reg [23:0] shl_254_d1;
-    reg [6:0] concat_260_d1;
-    reg [23:0] shl_262_d1;
-    reg [7:0] concat_268_d1;
-    reg [23:0] shl_270_d1;
-    reg [8:0] concat_276_d1;
-    reg [23:0] shl_278_d1;
-    reg [9:0] concat_284_d1;
-    reg [23:0] shl_286_d1;
-    reg [10:0] concat_292_d1;
-    reg [23:0] shl_294_d1;
-    reg [11:0] concat_300_d1;
-    reg [23:0] shl_302_d1;
-    reg [12:0] concat_308_d1;
-    reg [23:0] shl_310_d1;
-    reg [13:0] concat_316_d1;
-    reg [23:0] shl_318_d1;
-    reg [14:0] concat_324_d1;
-    reg [23:0] shl_326_d1;
-    reg [15:0] concat_330_d1, select_332_d1;
-    reg [11:0] bits_333_d1;
-    reg or_338_d1;
-    reg [15:0] reinterpret_340_d1;
-    reg [11:0] bits_343_d1;
-    reg or_346_d1;
-    reg [15:0] reinterpret_348_d1;
-    reg and_352_d1, and_352_d2;
-    reg [3:0] bits_353_d1;
-    reg and_355_d1, and_355_d2;
-    reg [17:0] bits_356_d1;
-    reg and_361_d1;
-    reg [15:0] bits_362_d1;
-    reg or_364_d1;
-    reg [15:0] min_365_d1;
-    reg not_366_d1;
+    reg [22:0] s1_chosen_d1;
+    reg shift_bits_d1, shift_bits_d1_copy2, shift_bits_d1_copy3;
+    reg [15:0] s1_chosen_d1_copy2;
+    reg [22:0] s1_chosen_d1_copy3;
+    reg [15:0] s1_chosen_d1_copy4, ay_d1, ay_d2, ax_d1, ax_d2;
+    reg [31:0] s1_d1;
+    reg [15:0] by_d1, by_d2, bx_d1, bx_d2;
+    reg [31:0] s2_d1;
+    reg [15:0] mx_d1, mx_d2, my_d1, my_d2;
+    reg [31:0] s1_chosen_times_my_d1;
+    reg [32:0] d_shifted_d1, d_shifted_d2, d_shifted_d3, d_shifted_d4, d_sum_d1, d_d1;
+    reg [31:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2;
+    reg [30:0] weight_out_chosen_bits_d1_copy2;
+    reg [31:0] weight_out_chosen_bits_d1_copy3, weight_out_chosen_bits_d2_copy2;
+    reg [30:0] weight_out_chosen_bits_d1_copy4;
+    reg [31:0] weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d2_copy3;
+    reg weight_out_same_d1, weight_out_same_d1_copy2, weight_out_same_d1_copy3, not_weight_out_both_d1;
+    reg weight_out_both_d1, weight_out_both_d2;
+    reg [31:0] weight_out_chosen_d1, weight_out_chosen_d1_copy2, weight_out_chosen_d1_copy3;
+    reg weight_out_chosen_bits_is_zero_d1, zero_is_weight_out_chosen_bits_d1;
+    reg zero_is_weight_out_chosen_bits_d1_copy2, weight_out_both_d1_copy2, weight_out_either_d1;
+    reg [24:0] weight_out_chosen_bits_d1_copy6, weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8;
+    reg weight_out_same_d1_copy4, weight_out_same_d1_copy5, weight_out_same_d1_copy6;
+    reg weight_out_both_d1_copy3, weight_out_same_d1_copy7, weight_out_both_d1_copy4;
+    reg weight_out_either_d1_copy2;
+    reg [18:0] weight_out_chosen_bits_d1_copy9, weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11;
+    reg weight_out_same_d1_copy8, not_weight_out_both_d1_copy2;
+    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy12, weight_out_chosen_bits_d1_copy13;
+    reg [35:0] denominator_d1;
+    reg [36:0] weight_out_sum_d1;
+    reg weight_out_in_order_d1, not_weight_out_either_d1, not_weight_out_either_d2, not_weight_out_either_d3;
+    reg not_weight_out_either_d4;
+    reg [23:0] denominator_bits_d1, denominator_bits_d2, denominator_bits_d3, denominator_bits_d4;
+    reg [23:0] denominator_bits_d5, denominator_bits_d6, denominator_bits_d7, denominator_bits_d8;
+    reg [23:0] denominator_bits_d9, denominator_bits_d10, denominator_bits_d11, denominator_bits_d12;
+    reg [23:0] denominator_bits_d13, denominator_bits_d14, denominator_bits_d15, denominator_bits_d16;
+    reg [23:0] weight_out_shifted_d1;
+    reg not_weight_out_difference_sign_d1;
+    reg [23:0] weight_out_shifted_d1_copy2;
+    reg [1:0] weight_out_joined_d1;
+    reg [23:0] weight_out_shifted_d1_copy3;
+    reg [2:0] weight_out_joined_d1_copy2;
+    reg [23:0] weight_out_shifted_d1_copy4;
+    reg [3:0] weight_out_joined_d1_copy3;
+    reg [23:0] weight_out_shifted_d1_copy5;
+    reg [4:0] weight_out_joined_d1_copy4;
+    reg [23:0] weight_out_shifted_d1_copy6;
+    reg [5:0] weight_out_joined_d1_copy5;
+    reg [23:0] weight_out_shifted_d1_copy7;
+    reg [6:0] weight_out_joined_d1_copy6;
+    reg [23:0] weight_out_shifted_d1_copy8;
+    reg [7:0] weight_out_joined_d1_copy7;
+    reg [23:0] weight_out_shifted_d1_copy9;
+    reg [8:0] weight_out_joined_d1_copy8;
+    reg [23:0] weight_out_shifted_d1_copy10;
+    reg [9:0] weight_out_joined_d1_copy9;
+    reg [23:0] weight_out_shifted_d1_copy11;
+    reg [10:0] weight_out_joined_d1_copy10;
+    reg [23:0] weight_out_shifted_d1_copy12;
+    reg [11:0] weight_out_joined_d1_copy11;
+    reg [23:0] weight_out_shifted_d1_copy13;
+    reg [12:0] weight_out_joined_d1_copy12;
+    reg [23:0] weight_out_shifted_d1_copy14;
+    reg [13:0] weight_out_joined_d1_copy13;
+    reg [23:0] weight_out_shifted_d1_copy15;
+    reg [14:0] weight_out_joined_d1_copy14;
+    reg [23:0] weight_out_shifted_d1_copy16;
+    reg [15:0] weight_out_joined_d1_copy15, weight_out_chosen_d1_copy4;
+    reg [11:0] x_bits_d1;
+    reg weight_out_either_d1_copy3;
+    reg [15:0] x_bits_d1_copy2;
+    reg [11:0] y_bits_d1;
+    reg weight_out_either_d1_copy4;
+    reg [15:0] y_bits_d1_copy2;
+    reg weight_out_both_d1_copy5, weight_out_both_d2_copy2;
+    reg [3:0] weight_out_sum_bits_d1;
+    reg weight_out_both_d1_copy6, weight_out_both_d2_copy3;
+    reg [17:0] weight_out_sum_bits_d1_copy2;
+    reg weight_out_both_d1_copy7;
+    reg [15:0] weight_out_product_bits_d1;
+    reg covered_d1;
+    reg [15:0] weight_out_lesser_d1;
+    reg not_end_d1;
     reg [36:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -2096,221 +2023,223 @@ module splat_evaluation (
     wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
 
-    wire [26:0] sub_23 = ({17'd0, in_column, 1'd1} << 11) - {in_center_x[25], in_center_x};
-    wire [26:0] select_32 = in_shift[3] ? {{8{sub_23[26]}}, sub_23[26:8]} : sub_23;
-    wire [22:0] select_36 = bits_34_d1 ? {{4{resize_33_d1[22]}}, resize_33_d1[22:4]} : resize_33_d1;
-    wire [18:0] select_40 = bits_38_d1 ? {{2{select_36[18]}}, select_36[18:2]} : select_36[18:0];
-    wire [16:0] select_44 = bits_42_d1 ? {select_40[16], select_40[16:1]} : select_40[16:0];
-    wire [26:0] sub_29 = ({17'd0, in_row, 1'd1} << 11) - {in_center_y[25], in_center_y};
-    wire [26:0] select_47 = in_shift[3] ? {{8{sub_29[26]}}, sub_29[26:8]} : sub_29;
-    wire [22:0] select_50 = bits_34_d1 ? {{4{resize_48_d1[22]}}, resize_48_d1[22:4]} : resize_48_d1;
-    wire [18:0] select_53 = bits_38_d1 ? {{2{select_50[18]}}, select_50[18:2]} : select_50[18:0];
-    wire [16:0] select_56 = bits_42_d1 ? {select_53[16], select_53[16:1]} : select_53[16:0];
-    wire [31:0] sub_62 = mul_s16_s16_unit_y - mul_s16_s16_unit_copy2_y;
-    wire [31:0] sub_67 = mul_s16_s16_unit_copy3_y - mul_s16_s16_unit_copy4_y;
-    wire [32:0] add_77 = {mul_s16_s16_unit_copy5_y[31], mul_s16_s16_unit_copy5_y} + shl_76_d4;
-    wire [32:0] add_78 = {mul_72_d1[31], mul_72_d1} + add_77_d1;
-    wire [32:0] not_80 = ~add_78_d1;
-    wire [32:0] select_81 = add_78_d1[32] ? not_80 : add_78_d1;
-    wire [31:0] not_84 = ~sub_62_d1;
-    wire [31:0] select_85 = sub_62_d1[31] ? not_84 : sub_62_d1;
-    wire [31:0] not_89 = ~sub_67_d1;
-    wire [31:0] select_90 = sub_67_d1[31] ? not_89 : sub_67_d1;
-    wire equal_96 = bits_82_d1[31:16] == 16'd0;
-    wire equal_98 = 16'd0 == {1'd0, bits_86_d1[30:16]};
-    wire equal_100 = 16'd0 == {1'd0, bits_91_d1[30:16]};
-    wire and_101 = equal_98_d1 & equal_100_d1;
-    wire not_102 = ~and_101;
-    wire and_103 = equal_96_d1 & not_102_d1;
-    wire [31:0] select_105 = equal_96_d1 ? (bits_82_d2 << 16) : bits_82_d2;
-    wire [31:0] select_107 = equal_96_d1 ? (resize_87_d2 << 16) : resize_87_d2;
-    wire [31:0] select_109 = equal_96_d1 ? (resize_92_d2 << 16) : resize_92_d2;
-    wire equal_112 = select_105[31:24] == 8'd0;
-    wire equal_114 = 8'd0 == select_107[31:24];
-    wire equal_116 = 8'd0 == select_109[31:24];
-    wire and_117 = equal_114_d1 & equal_116_d1;
-    wire not_118 = ~and_117;
-    wire and_119 = equal_112_d1 & not_118;
-    wire or_120 = and_103_d2 | and_119_d1;
-    wire [31:0] select_122 = equal_112_d1 ? (select_105_d1 << 8) : select_105_d1;
-    wire [31:0] select_125 = equal_112_d1 ? (select_107_d1 << 8) : select_107_d1;
-    wire [31:0] select_128 = equal_112_d1 ? (select_109_d1 << 8) : select_109_d1;
-    wire equal_132 = select_122[31:28] == 4'd0;
-    wire equal_134 = 4'd0 == select_125[31:28];
-    wire equal_136 = 4'd0 == select_128[31:28];
-    wire and_137 = equal_134_d1 & equal_136_d1;
-    wire not_138 = ~and_137;
-    wire and_139 = equal_132_d1 & not_138;
-    wire [24:0] select_142 = equal_132_d1 ? (bits_123_d1 << 4) : bits_123_d1;
-    wire equal_152 = select_142[24:23] == 2'd0;
-    wire [24:0] select_145 = equal_132_d1 ? (bits_126_d1 << 4) : bits_126_d1;
-    wire equal_154 = 2'd0 == select_145[24:23];
-    wire [24:0] select_148 = equal_132_d1 ? (bits_129_d1 << 4) : bits_129_d1;
-    wire equal_156 = 2'd0 == select_148[24:23];
-    wire and_157 = equal_154 & equal_156;
-    wire or_140 = or_120_d1 | and_139_d1;
-    wire not_158 = ~and_157_d1;
-    wire and_159 = equal_152_d1 & not_158;
-    wire or_160 = or_140 | and_159;
-    wire [20:0] select_162 = equal_152 ? (select_142[24:4] << 2) : select_142[24:4];
-    wire [20:0] select_165 = equal_152 ? (select_145[24:4] << 2) : select_145[24:4];
-    wire [20:0] select_168 = equal_152 ? (select_148[24:4] << 2) : select_148[24:4];
-    wire equal_171 = ~bits_163_d1[18];
-    wire equal_173 = ~bits_166_d1[18];
-    wire equal_175 = ~bits_169_d1[18];
-    wire and_176 = equal_173 & equal_175;
-    wire not_177 = ~and_176;
-    wire [18:0] select_181 = equal_171 ? (bits_163_d1 << 1) : bits_163_d1;
-    wire [18:0] select_184 = equal_171 ? (bits_166_d1 << 1) : bits_166_d1;
-    wire [18:0] select_187 = equal_171 ? (bits_169_d1 << 1) : bits_169_d1;
-    wire [36:0] add_194 = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
-    wire lt_196 = add_194_d1 < {1'd0, mul_189_d1};
-    wire and_178 = equal_171_d1 & not_177_d1;
-    wire or_179 = or_160_d1 | and_178;
-    wire not_197 = ~or_179;
-    wire [23:0] sub_208 = shl_207_d1 - resize_205_d1;
-    wire not_212 = ~sub_208[23];
-    wire [23:0] select_210 = sub_208[23] ? shl_207_d1 : sub_208;
-    wire [23:0] sub_215 = shl_214_d1 - resize_205_d2;
-    wire not_219 = ~sub_215[23];
-    wire [23:0] select_217 = sub_215[23] ? shl_214_d1 : sub_215;
-    wire [23:0] sub_223 = shl_222_d1 - resize_205_d3;
-    wire not_227 = ~sub_223[23];
-    wire [23:0] select_225 = sub_223[23] ? shl_222_d1 : sub_223;
-    wire [23:0] sub_231 = shl_230_d1 - resize_205_d4;
-    wire not_235 = ~sub_231[23];
-    wire [23:0] select_233 = sub_231[23] ? shl_230_d1 : sub_231;
-    wire [23:0] sub_239 = shl_238_d1 - resize_205_d5;
-    wire not_243 = ~sub_239[23];
-    wire [23:0] select_241 = sub_239[23] ? shl_238_d1 : sub_239;
-    wire [23:0] sub_247 = shl_246_d1 - resize_205_d6;
-    wire not_251 = ~sub_247[23];
-    wire [23:0] select_249 = sub_247[23] ? shl_246_d1 : sub_247;
-    wire [23:0] sub_255 = shl_254_d1 - resize_205_d7;
-    wire not_259 = ~sub_255[23];
-    wire [23:0] select_257 = sub_255[23] ? shl_254_d1 : sub_255;
-    wire [23:0] sub_263 = shl_262_d1 - resize_205_d8;
-    wire not_267 = ~sub_263[23];
-    wire [23:0] select_265 = sub_263[23] ? shl_262_d1 : sub_263;
-    wire [23:0] sub_271 = shl_270_d1 - resize_205_d9;
-    wire not_275 = ~sub_271[23];
-    wire [23:0] select_273 = sub_271[23] ? shl_270_d1 : sub_271;
-    wire [23:0] sub_279 = shl_278_d1 - resize_205_d10;
-    wire not_283 = ~sub_279[23];
-    wire [23:0] select_281 = sub_279[23] ? shl_278_d1 : sub_279;
-    wire [23:0] sub_287 = shl_286_d1 - resize_205_d11;
-    wire not_291 = ~sub_287[23];
-    wire [23:0] select_289 = sub_287[23] ? shl_286_d1 : sub_287;
-    wire [23:0] sub_295 = shl_294_d1 - resize_205_d12;
-    wire not_299 = ~sub_295[23];
-    wire [23:0] select_297 = sub_295[23] ? shl_294_d1 : sub_295;
-    wire [23:0] sub_303 = shl_302_d1 - resize_205_d13;
-    wire not_307 = ~sub_303[23];
-    wire [23:0] select_305 = sub_303[23] ? shl_302_d1 : sub_303;
-    wire [23:0] sub_311 = shl_310_d1 - resize_205_d14;
-    wire not_315 = ~sub_311[23];
-    wire [23:0] select_313 = sub_311[23] ? shl_310_d1 : sub_311;
-    wire [23:0] sub_319 = shl_318_d1 - resize_205_d15;
-    wire not_323 = ~sub_319[23];
-    wire [23:0] select_321 = sub_319[23] ? shl_318_d1 : sub_319;
-    wire [23:0] sub_327 = shl_326_d1 - resize_205_d16;
-    wire not_329 = ~sub_327[23];
-    wire [15:0] select_332 = delay_15_from_0_out ? concat_330_d1 : 16'hffff;
-    wire equal_336 = bits_333_d1 == 12'd0;
-    wire equal_337 = bits_333_d1 == 12'hfff;
-    wire or_338 = equal_336 | equal_337;
-    wire equal_344 = 12'd0 == bits_343_d1;
-    wire equal_345 = 12'hfff == bits_343_d1;
-    wire or_346 = equal_344 | equal_345;
-    wire and_352 = or_338_d1 & or_346_d1;
-    wire [31:0] add_351 = mul_s16_s16_unit_copy7_y + mul_s16_s16_unit_copy8_y;
-    wire equal_354 = 4'd0 == bits_353_d1;
-    wire and_355 = and_352_d2 & equal_354;
-    wire equal_360 = 8'd0 == mul_u18_u16_unit_y[33:26];
-    wire and_361 = and_355_d2 & equal_360;
-    wire and_198 = lt_196_d1 & not_197_d4;
-    wire and_202 = and_198 & delay_10_from_0_out;
-    wire or_364 = and_202 | delay_9_from_0_out;
-    wire [15:0] min_365 = (delay_25_from_0_out < select_332_d1) ? delay_25_from_0_out : select_332_d1;
-    wire not_366 = ~delay_16_from_0_out;
-    wire xor_200 = add_78_d1[32] ^ delay_6_from_0_out;
-    wire not_201 = ~xor_200;
-    wire and_367 = or_364_d1 & not_366_d1;
-    wire or_368 = delay_17_from_0_out | and_367;
-    wire or_369 = end_d17 | or_368;
-    wire [15:0] select_363 = and_361_d1 ? bits_362_d1 : 16'hffff;
+    wire end_or_last_or_inside_out_d20 = delay_20_from_0_out[3];
+    wire end_d37 = delay_20_from_0_out[0];
+    wire last_d37 = delay_20_from_0_out[1];
+    wire inside_out_d20 = delay_20_from_0_out[2];
+    wire slot_d37 = delay_37_from_0_out[0];
+    wire [5:0] pixel_out_d37 = delay_37_from_0_out[6:1];
+    wire [26:0] x = ({17'd0, in_column, 1'd1} << 11) - {in_center_x[25], in_center_x};
+    wire [26:0] s1_chosen = in_shift[3] ? {{8{x[26]}}, x[26:8]} : x;
+    wire [22:0] s1_chosen_copy2 = shift_bits_d1 ? {{4{s1_chosen_d1[22]}}, s1_chosen_d1[22:4]} : s1_chosen_d1;
+    wire [18:0] s1_chosen_copy3 = shift_bits_d1_copy2 ? {{2{s1_chosen_copy2[18]}}, s1_chosen_copy2[18:2]} : s1_chosen_copy2[18:0];
+    wire [16:0] s1_chosen_copy4 = shift_bits_d1_copy3 ? {s1_chosen_copy3[16], s1_chosen_copy3[16:1]} : s1_chosen_copy3[16:0];
+    wire [26:0] y = ({17'd0, in_row, 1'd1} << 11) - {in_center_y[25], in_center_y};
+    wire [26:0] s1_chosen_copy5 = in_shift[3] ? {{8{y[26]}}, y[26:8]} : y;
+    wire [22:0] s1_chosen_copy6 = shift_bits_d1 ? {{4{s1_chosen_d1_copy3[22]}}, s1_chosen_d1_copy3[22:4]} : s1_chosen_d1_copy3;
+    wire [18:0] s1_chosen_copy7 = shift_bits_d1_copy2 ? {{2{s1_chosen_copy6[18]}}, s1_chosen_copy6[18:2]} : s1_chosen_copy6[18:0];
+    wire [16:0] s1_chosen_copy8 = shift_bits_d1_copy3 ? {s1_chosen_copy7[16], s1_chosen_copy7[16:1]} : s1_chosen_copy7[16:0];
+    wire [31:0] s1 = mul_s16_s16_unit_y - mul_s16_s16_unit_copy2_y;
+    wire [31:0] s2 = mul_s16_s16_unit_copy3_y - mul_s16_s16_unit_copy4_y;
+    wire [32:0] d_sum = {mul_s16_s16_unit_copy5_y[31], mul_s16_s16_unit_copy5_y} + d_shifted_d4;
+    wire [32:0] d = {s1_chosen_times_my_d1[31], s1_chosen_times_my_d1} + d_sum_d1;
+    wire [32:0] not_d = ~d_d1;
+    wire [32:0] weight_out_chosen = d_d1[32] ? not_d : d_d1;
+    wire [31:0] not_s1 = ~s1_d1;
+    wire [31:0] weight_out_chosen_copy2 = s1_d1[31] ? not_s1 : s1_d1;
+    wire [31:0] not_s2 = ~s2_d1;
+    wire [31:0] weight_out_chosen_copy3 = s2_d1[31] ? not_s2 : s2_d1;
+    wire weight_out_same = weight_out_chosen_bits_d1[31:16] == 16'd0;
+    wire weight_out_same_copy2 = 16'd0 == {1'd0, weight_out_chosen_bits_d1_copy2[30:16]};
+    wire weight_out_same_copy3 = 16'd0 == {1'd0, weight_out_chosen_bits_d1_copy4[30:16]};
+    wire weight_out_both = weight_out_same_d1_copy2 & weight_out_same_d1_copy3;
+    wire not_weight_out_both = ~weight_out_both;
+    wire weight_out_both_copy2 = weight_out_same_d1 & not_weight_out_both_d1;
+    wire [31:0] weight_out_chosen_copy4 = weight_out_same_d1 ? (weight_out_chosen_bits_d2 << 16) : weight_out_chosen_bits_d2;
+    wire [31:0] weight_out_chosen_copy5 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy2 << 16) : weight_out_chosen_bits_d2_copy2;
+    wire [31:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy3 << 16) : weight_out_chosen_bits_d2_copy3;
+    wire weight_out_chosen_bits_is_zero = weight_out_chosen_copy4[31:24] == 8'd0;
+    wire zero_is_weight_out_chosen_bits = 8'd0 == weight_out_chosen_copy5[31:24];
+    wire zero_is_weight_out_chosen_bits_copy2 = 8'd0 == weight_out_chosen_copy6[31:24];
+    wire weight_out_both_copy3 = zero_is_weight_out_chosen_bits_d1 & zero_is_weight_out_chosen_bits_d1_copy2;
+    wire not_weight_out_both_copy2 = ~weight_out_both_copy3;
+    wire weight_out_both_copy4 = weight_out_chosen_bits_is_zero_d1 & not_weight_out_both_copy2;
+    wire weight_out_either = weight_out_both_d2 | weight_out_both_d1_copy2;
+    wire [31:0] weight_out_chosen_copy7 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1 << 8) : weight_out_chosen_d1;
+    wire [31:0] weight_out_chosen_copy8 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy2 << 8) : weight_out_chosen_d1_copy2;
+    wire [31:0] weight_out_chosen_copy9 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy3 << 8) : weight_out_chosen_d1_copy3;
+    wire weight_out_same_copy4 = weight_out_chosen_copy7[31:28] == 4'd0;
+    wire weight_out_same_copy5 = 4'd0 == weight_out_chosen_copy8[31:28];
+    wire weight_out_same_copy6 = 4'd0 == weight_out_chosen_copy9[31:28];
+    wire weight_out_both_copy5 = weight_out_same_d1_copy5 & weight_out_same_d1_copy6;
+    wire not_weight_out_both_copy3 = ~weight_out_both_copy5;
+    wire weight_out_both_copy6 = weight_out_same_d1_copy4 & not_weight_out_both_copy3;
+    wire [24:0] weight_out_chosen_copy10 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 4) : weight_out_chosen_bits_d1_copy6;
+    wire weight_out_same_copy7 = weight_out_chosen_copy10[24:23] == 2'd0;
+    wire [24:0] weight_out_chosen_copy11 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy7 << 4) : weight_out_chosen_bits_d1_copy7;
+    wire weight_out_same_copy8 = 2'd0 == weight_out_chosen_copy11[24:23];
+    wire [24:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy8 << 4) : weight_out_chosen_bits_d1_copy8;
+    wire weight_out_same_copy9 = 2'd0 == weight_out_chosen_copy12[24:23];
+    wire weight_out_both_copy7 = weight_out_same_copy8 & weight_out_same_copy9;
+    wire weight_out_either_copy2 = weight_out_either_d1 | weight_out_both_d1_copy3;
+    wire not_weight_out_both_copy4 = ~weight_out_both_d1_copy4;
+    wire weight_out_both_copy8 = weight_out_same_d1_copy7 & not_weight_out_both_copy4;
+    wire weight_out_either_copy3 = weight_out_either_copy2 | weight_out_both_copy8;
+    wire [20:0] weight_out_chosen_copy13 = weight_out_same_copy7 ? (weight_out_chosen_copy10[24:4] << 2) : weight_out_chosen_copy10[24:4];
+    wire [20:0] weight_out_chosen_copy14 = weight_out_same_copy7 ? (weight_out_chosen_copy11[24:4] << 2) : weight_out_chosen_copy11[24:4];
+    wire [20:0] weight_out_chosen_copy15 = weight_out_same_copy7 ? (weight_out_chosen_copy12[24:4] << 2) : weight_out_chosen_copy12[24:4];
+    wire weight_out_same_copy10 = ~weight_out_chosen_bits_d1_copy9[18];
+    wire weight_out_same_copy11 = ~weight_out_chosen_bits_d1_copy10[18];
+    wire weight_out_same_copy12 = ~weight_out_chosen_bits_d1_copy11[18];
+    wire weight_out_both_copy9 = weight_out_same_copy11 & weight_out_same_copy12;
+    wire not_weight_out_both_copy5 = ~weight_out_both_copy9;
+    wire [18:0] denominator_chosen = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy9 << 1) : weight_out_chosen_bits_d1_copy9;
+    wire [18:0] weight_out_chosen_copy16 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy10 << 1) : weight_out_chosen_bits_d1_copy10;
+    wire [18:0] weight_out_chosen_copy17 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy11 << 1) : weight_out_chosen_bits_d1_copy11;
+    wire [36:0] weight_out_sum = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
+    wire weight_out_in_order = weight_out_sum_d1 < {1'd0, denominator_d1};
+    wire weight_out_both_copy10 = weight_out_same_d1_copy8 & not_weight_out_both_d1_copy2;
+    wire weight_out_either_copy4 = weight_out_either_d1_copy2 | weight_out_both_copy10;
+    wire not_weight_out_either = ~weight_out_either_copy4;
+    wire [23:0] weight_out_difference = weight_out_shifted_d1 - denominator_bits_d1;
+    wire not_weight_out_difference_sign = ~weight_out_difference[23];
+    wire [23:0] weight_out_chosen_copy18 = weight_out_difference[23] ? weight_out_shifted_d1 : weight_out_difference;
+    wire [23:0] weight_out_difference_copy2 = weight_out_shifted_d1_copy2 - denominator_bits_d2;
+    wire not_weight_out_difference_sign_copy2 = ~weight_out_difference_copy2[23];
+    wire [23:0] weight_out_chosen_copy19 = weight_out_difference_copy2[23] ? weight_out_shifted_d1_copy2 : weight_out_difference_copy2;
+    wire [23:0] weight_out_difference_copy3 = weight_out_shifted_d1_copy3 - denominator_bits_d3;
+    wire not_weight_out_difference_sign_copy3 = ~weight_out_difference_copy3[23];
+    wire [23:0] weight_out_chosen_copy20 = weight_out_difference_copy3[23] ? weight_out_shifted_d1_copy3 : weight_out_difference_copy3;
+    wire [23:0] weight_out_difference_copy4 = weight_out_shifted_d1_copy4 - denominator_bits_d4;
+    wire not_weight_out_difference_sign_copy4 = ~weight_out_difference_copy4[23];
+    wire [23:0] weight_out_chosen_copy21 = weight_out_difference_copy4[23] ? weight_out_shifted_d1_copy4 : weight_out_difference_copy4;
+    wire [23:0] weight_out_difference_copy5 = weight_out_shifted_d1_copy5 - denominator_bits_d5;
+    wire not_weight_out_difference_sign_copy5 = ~weight_out_difference_copy5[23];
+    wire [23:0] weight_out_chosen_copy22 = weight_out_difference_copy5[23] ? weight_out_shifted_d1_copy5 : weight_out_difference_copy5;
+    wire [23:0] weight_out_difference_copy6 = weight_out_shifted_d1_copy6 - denominator_bits_d6;
+    wire not_weight_out_difference_sign_copy6 = ~weight_out_difference_copy6[23];
+    wire [23:0] weight_out_chosen_copy23 = weight_out_difference_copy6[23] ? weight_out_shifted_d1_copy6 : weight_out_difference_copy6;
+    wire [23:0] weight_out_difference_copy7 = weight_out_shifted_d1_copy7 - denominator_bits_d7;
+    wire not_weight_out_difference_sign_copy7 = ~weight_out_difference_copy7[23];
+    wire [23:0] weight_out_chosen_copy24 = weight_out_difference_copy7[23] ? weight_out_shifted_d1_copy7 : weight_out_difference_copy7;
+    wire [23:0] weight_out_difference_copy8 = weight_out_shifted_d1_copy8 - denominator_bits_d8;
+    wire not_weight_out_difference_sign_copy8 = ~weight_out_difference_copy8[23];
+    wire [23:0] weight_out_chosen_copy25 = weight_out_difference_copy8[23] ? weight_out_shifted_d1_copy8 : weight_out_difference_copy8;
+    wire [23:0] weight_out_difference_copy9 = weight_out_shifted_d1_copy9 - denominator_bits_d9;
+    wire not_weight_out_difference_sign_copy9 = ~weight_out_difference_copy9[23];
+    wire [23:0] weight_out_chosen_copy26 = weight_out_difference_copy9[23] ? weight_out_shifted_d1_copy9 : weight_out_difference_copy9;
+    wire [23:0] weight_out_difference_copy10 = weight_out_shifted_d1_copy10 - denominator_bits_d10;
+    wire not_weight_out_difference_sign_copy10 = ~weight_out_difference_copy10[23];
+    wire [23:0] weight_out_chosen_copy27 = weight_out_difference_copy10[23] ? weight_out_shifted_d1_copy10 : weight_out_difference_copy10;
+    wire [23:0] weight_out_difference_copy11 = weight_out_shifted_d1_copy11 - denominator_bits_d11;
+    wire not_weight_out_difference_sign_copy11 = ~weight_out_difference_copy11[23];
+    wire [23:0] weight_out_chosen_copy28 = weight_out_difference_copy11[23] ? weight_out_shifted_d1_copy11 : weight_out_difference_copy11;
+    wire [23:0] weight_out_difference_copy12 = weight_out_shifted_d1_copy12 - denominator_bits_d12;
+    wire not_weight_out_difference_sign_copy12 = ~weight_out_difference_copy12[23];
+    wire [23:0] weight_out_chosen_copy29 = weight_out_difference_copy12[23] ? weight_out_shifted_d1_copy12 : weight_out_difference_copy12;
+    wire [23:0] weight_out_difference_copy13 = weight_out_shifted_d1_copy13 - denominator_bits_d13;
+    wire not_weight_out_difference_sign_copy13 = ~weight_out_difference_copy13[23];
+    wire [23:0] weight_out_chosen_copy30 = weight_out_difference_copy13[23] ? weight_out_shifted_d1_copy13 : weight_out_difference_copy13;
+    wire [23:0] weight_out_difference_copy14 = weight_out_shifted_d1_copy14 - denominator_bits_d14;
+    wire not_weight_out_difference_sign_copy14 = ~weight_out_difference_copy14[23];
+    wire [23:0] weight_out_chosen_copy31 = weight_out_difference_copy14[23] ? weight_out_shifted_d1_copy14 : weight_out_difference_copy14;
+    wire [23:0] weight_out_difference_copy15 = weight_out_shifted_d1_copy15 - denominator_bits_d15;
+    wire not_weight_out_difference_sign_copy15 = ~weight_out_difference_copy15[23];
+    wire [23:0] weight_out_chosen_copy32 = weight_out_difference_copy15[23] ? weight_out_shifted_d1_copy15 : weight_out_difference_copy15;
+    wire [23:0] weight_out_difference_copy16 = weight_out_shifted_d1_copy16 - denominator_bits_d16;
+    wire not_weight_out_difference_sign_copy16 = ~weight_out_difference_copy16[23];
+    wire [15:0] weight_out_chosen_copy33 = delay_15_from_0_out ? weight_out_joined_d1_copy15 : 16'hffff;
+    wire x_bits_is_zero = x_bits_d1 == 12'd0;
+    wire weight_out_same_copy13 = x_bits_d1 == 12'hfff;
+    wire weight_out_either_copy5 = x_bits_is_zero | weight_out_same_copy13;
+    wire zero_is_y_bits = 12'd0 == y_bits_d1;
+    wire weight_out_same_copy14 = 12'hfff == y_bits_d1;
+    wire weight_out_either_copy6 = zero_is_y_bits | weight_out_same_copy14;
+    wire weight_out_both_copy13 = weight_out_either_d1_copy3 & weight_out_either_d1_copy4;
+    wire [31:0] weight_out_sum_copy2 = mul_s16_s16_unit_copy7_y + mul_s16_s16_unit_copy8_y;
+    wire zero_is_weight_out_sum_bits = 4'd0 == weight_out_sum_bits_d1;
+    wire weight_out_both_copy14 = weight_out_both_d2_copy2 & zero_is_weight_out_sum_bits;
+    wire weight_out_same_copy15 = 8'd0 == mul_u18_u16_unit_y[33:26];
+    wire weight_out_both_copy15 = weight_out_both_d2_copy3 & weight_out_same_copy15;
+    wire weight_out_both_copy11 = weight_out_in_order_d1 & not_weight_out_either_d4;
+    wire weight_out_both_copy12 = weight_out_both_copy11 & delay_10_from_0_out;
+    wire covered = weight_out_both_copy12 | delay_9_from_0_out;
+    wire [15:0] weight_out_lesser = (delay_25_from_0_out < weight_out_chosen_d1_copy4) ? delay_25_from_0_out : weight_out_chosen_d1_copy4;
+    wire not_end = ~delay_16_from_0_out;
+    wire weight_out_unequal = d_d1[32] ^ delay_6_from_0_out;
+    wire not_weight_out_unequal = ~weight_out_unequal;
+    wire inside_out = covered_d1 & not_end_d1;
+    wire last_or_inside_out = delay_17_from_0_out | inside_out;
+    wire end_or_last_or_inside_out = end_d17 | last_or_inside_out;
+    wire [15:0] weight_out_chosen_copy34 = weight_out_both_d1_copy7 ? weight_out_product_bits_d1 : 16'hffff;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[36] & delay_20_from_0_out[3]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_20_from_0_out[0], delay_20_from_0_out[1], delay_20_from_0_out[2], delay_37_from_0_out[0],
-            delay_37_from_0_out[6:1], interpolate_8_8_16_unit_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[36] & end_or_last_or_inside_out_d20),
+        .in_ready(queue_in_ready),
+        .in_data({end_d37, last_d37, inside_out_d20, slot_d37, pixel_out_d37, interpolate_8_8_16_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_58_d2), .y(mul_s16_s16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s16_s16_unit_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_60_d2),
-        .y(mul_s16_s16_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s16_s16_unit_copy2_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_63_d2),
-        .y(mul_s16_s16_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s16_s16_unit_copy3_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_65_d2),
-        .y(mul_s16_s16_unit_copy4_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s16_s16_unit_copy4_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_69_d2),
-        .y(mul_s16_s16_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s16_s16_unit_copy5_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_71_d2),
-        .y(mul_s16_s16_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s16_s16_unit_copy6_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_340_d1), .b(reinterpret_340_d1),
+        .clk(clk), .enable(queue_in_ready), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2),
         .y(mul_s16_s16_unit_copy7_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_348_d1), .b(reinterpret_348_d1),
+        .clk(clk), .enable(queue_in_ready), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2),
         .y(mul_s16_s16_unit_copy8_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit (
-        .clk(clk), .enable(queue_in_ready), .a(bits_182_d1), .b(bits_182_d1), .y(mul_u18_u18_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
+        .y(mul_u18_u18_unit_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(bits_185_d1), .b(bits_185_d1), .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy12),
+        .b(weight_out_chosen_bits_d1_copy12), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(bits_188_d1), .b(bits_188_d1), .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy13),
+        .b(weight_out_chosen_bits_d1_copy13), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(bits_356_d1), .b(filter_scale), .y(mul_u18_u16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale),
+        .y(mul_u18_u16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_365_d1), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -2341,147 +2270,147 @@ module splat_evaluation (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             end_d17 <= delay_16_from_0_out;
-            resize_33_d1 <= select_32[22:0];
-            bits_34_d1 <= in_shift[2];
-            bits_38_d1 <= in_shift[1];
-            bits_42_d1 <= in_shift[0];
-            resize_45_d1 <= select_44[15:0];
-            resize_48_d1 <= select_47[22:0];
-            resize_57_d1 <= select_56[15:0];
-            reinterpret_58_d1 <= in_ay;
-            reinterpret_58_d2 <= reinterpret_58_d1;
-            reinterpret_60_d1 <= in_ax;
-            reinterpret_60_d2 <= reinterpret_60_d1;
-            sub_62_d1 <= sub_62;
-            reinterpret_63_d1 <= in_by;
-            reinterpret_63_d2 <= reinterpret_63_d1;
-            reinterpret_65_d1 <= in_bx;
-            reinterpret_65_d2 <= reinterpret_65_d1;
-            sub_67_d1 <= sub_67;
-            reinterpret_69_d1 <= in_mx;
-            reinterpret_69_d2 <= reinterpret_69_d1;
-            reinterpret_71_d1 <= in_my;
-            reinterpret_71_d2 <= reinterpret_71_d1;
-            mul_72_d1 <= mul_s16_s16_unit_copy6_y;
-            shl_76_d1 <= {{13{in_delta[19]}}, in_delta} << 12;
-            shl_76_d2 <= shl_76_d1;
-            shl_76_d3 <= shl_76_d2;
-            shl_76_d4 <= shl_76_d3;
-            add_77_d1 <= add_77;
-            add_78_d1 <= add_78;
-            bits_82_d1 <= select_81[31:0];
-            bits_82_d2 <= bits_82_d1;
-            bits_86_d1 <= select_85[30:0];
-            resize_87_d1 <= {1'd0, bits_86_d1};
-            resize_87_d2 <= resize_87_d1;
-            bits_91_d1 <= select_90[30:0];
-            resize_92_d1 <= {1'd0, bits_91_d1};
-            resize_92_d2 <= resize_92_d1;
-            equal_96_d1 <= equal_96;
-            equal_98_d1 <= equal_98;
-            equal_100_d1 <= equal_100;
-            not_102_d1 <= not_102;
-            and_103_d1 <= and_103;
-            and_103_d2 <= and_103_d1;
-            select_105_d1 <= select_105;
-            select_107_d1 <= select_107;
-            select_109_d1 <= select_109;
-            equal_112_d1 <= equal_112;
-            equal_114_d1 <= equal_114;
-            equal_116_d1 <= equal_116;
-            and_119_d1 <= and_119;
-            or_120_d1 <= or_120;
-            bits_123_d1 <= select_122[31:7];
-            bits_126_d1 <= select_125[31:7];
-            bits_129_d1 <= select_128[31:7];
-            equal_132_d1 <= equal_132;
-            equal_134_d1 <= equal_134;
-            equal_136_d1 <= equal_136;
-            and_139_d1 <= and_139;
-            equal_152_d1 <= equal_152;
-            and_157_d1 <= and_157;
-            or_160_d1 <= or_160;
-            bits_163_d1 <= select_162[20:2];
-            bits_166_d1 <= select_165[20:2];
-            bits_169_d1 <= select_168[20:2];
-            equal_171_d1 <= equal_171;
-            not_177_d1 <= not_177;
-            bits_182_d1 <= select_181[18:1];
-            bits_185_d1 <= select_184[18:1];
-            bits_188_d1 <= select_187[18:1];
-            mul_189_d1 <= mul_u18_u18_unit_y;
-            add_194_d1 <= add_194;
-            lt_196_d1 <= lt_196;
-            not_197_d1 <= not_197;
-            not_197_d2 <= not_197_d1;
-            not_197_d3 <= not_197_d2;
-            not_197_d4 <= not_197_d3;
-            resize_205_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
-            resize_205_d2 <= resize_205_d1;
-            resize_205_d3 <= resize_205_d2;
-            resize_205_d4 <= resize_205_d3;
-            resize_205_d5 <= resize_205_d4;
-            resize_205_d6 <= resize_205_d5;
-            resize_205_d7 <= resize_205_d6;
-            resize_205_d8 <= resize_205_d7;
-            resize_205_d9 <= resize_205_d8;
-            resize_205_d10 <= resize_205_d9;
-            resize_205_d11 <= resize_205_d10;
-            resize_205_d12 <= resize_205_d11;
-            resize_205_d13 <= resize_205_d12;
-            resize_205_d14 <= resize_205_d13;
-            resize_205_d15 <= resize_205_d14;
-            resize_205_d16 <= resize_205_d15;
-            shl_207_d1 <= {2'd0, add_194[35:14]} << 1;
-            not_212_d1 <= not_212;
-            shl_214_d1 <= {2'd0, select_210[21:0]} << 1;
-            concat_220_d1 <= {not_212_d1, not_219};
-            shl_222_d1 <= {2'd0, select_217[21:0]} << 1;
-            concat_228_d1 <= {concat_220_d1, not_227};
-            shl_230_d1 <= {2'd0, select_225[21:0]} << 1;
-            concat_236_d1 <= {concat_228_d1, not_235};
-            shl_238_d1 <= {2'd0, select_233[21:0]} << 1;
-            concat_244_d1 <= {concat_236_d1, not_243};
-            shl_246_d1 <= {2'd0, select_241[21:0]} << 1;
-            concat_252_d1 <= {concat_244_d1, not_251};
-            shl_254_d1 <= {2'd0, select_249[21:0]} << 1;
-            concat_260_d1 <= {concat_252_d1, not_259};
-            shl_262_d1 <= {2'd0, select_257[21:0]} << 1;
-            concat_268_d1 <= {concat_260_d1, not_267};
-            shl_270_d1 <= {2'd0, select_265[21:0]} << 1;
-            concat_276_d1 <= {concat_268_d1, not_275};
-            shl_278_d1 <= {2'd0, select_273[21:0]} << 1;
-            concat_284_d1 <= {concat_276_d1, not_283};
-            shl_286_d1 <= {2'd0, select_281[21:0]} << 1;
-            concat_292_d1 <= {concat_284_d1, not_291};
-            shl_294_d1 <= {2'd0, select_289[21:0]} << 1;
-            concat_300_d1 <= {concat_292_d1, not_299};
-            shl_302_d1 <= {2'd0, select_297[21:0]} << 1;
-            concat_308_d1 <= {concat_300_d1, not_307};
-            shl_310_d1 <= {2'd0, select_305[21:0]} << 1;
-            concat_316_d1 <= {concat_308_d1, not_315};
-            shl_318_d1 <= {2'd0, select_313[21:0]} << 1;
-            concat_324_d1 <= {concat_316_d1, not_323};
-            shl_326_d1 <= {2'd0, select_321[21:0]} << 1;
-            concat_330_d1 <= {concat_324_d1, not_329};
-            select_332_d1 <= select_332;
-            bits_333_d1 <= sub_23[26:15];
-            or_338_d1 <= or_338;
-            reinterpret_340_d1 <= sub_23[15:0];
-            bits_343_d1 <= sub_29[26:15];
-            or_346_d1 <= or_346;
-            reinterpret_348_d1 <= sub_29[15:0];
-            and_352_d1 <= and_352;
-            and_352_d2 <= and_352_d1;
-            bits_353_d1 <= add_351[31:28];
-            and_355_d1 <= and_355;
-            and_355_d2 <= and_355_d1;
-            bits_356_d1 <= add_351[27:10];
-            and_361_d1 <= and_361;
-            bits_362_d1 <= mul_u18_u16_unit_y[25:10];
-            or_364_d1 <= or_364;
-            min_365_d1 <= min_365;
-            not_366_d1 <= not_366;
+            s1_chosen_d1 <= s1_chosen[22:0];
+            shift_bits_d1 <= in_shift[2];
+            shift_bits_d1_copy2 <= in_shift[1];
+            shift_bits_d1_copy3 <= in_shift[0];
+            s1_chosen_d1_copy2 <= s1_chosen_copy4[15:0];
+            s1_chosen_d1_copy3 <= s1_chosen_copy5[22:0];
+            s1_chosen_d1_copy4 <= s1_chosen_copy8[15:0];
+            ay_d1 <= in_ay;
+            ay_d2 <= ay_d1;
+            ax_d1 <= in_ax;
+            ax_d2 <= ax_d1;
+            s1_d1 <= s1;
+            by_d1 <= in_by;
+            by_d2 <= by_d1;
+            bx_d1 <= in_bx;
+            bx_d2 <= bx_d1;
+            s2_d1 <= s2;
+            mx_d1 <= in_mx;
+            mx_d2 <= mx_d1;
+            my_d1 <= in_my;
+            my_d2 <= my_d1;
+            s1_chosen_times_my_d1 <= mul_s16_s16_unit_copy6_y;
+            d_shifted_d1 <= {{13{in_delta[19]}}, in_delta} << 12;
+            d_shifted_d2 <= d_shifted_d1;
+            d_shifted_d3 <= d_shifted_d2;
+            d_shifted_d4 <= d_shifted_d3;
+            d_sum_d1 <= d_sum;
+            d_d1 <= d;
+            weight_out_chosen_bits_d1 <= weight_out_chosen[31:0];
+            weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
+            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[30:0];
+            weight_out_chosen_bits_d1_copy3 <= {1'd0, weight_out_chosen_bits_d1_copy2};
+            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy3;
+            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy3[30:0];
+            weight_out_chosen_bits_d1_copy5 <= {1'd0, weight_out_chosen_bits_d1_copy4};
+            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy5;
+            weight_out_same_d1 <= weight_out_same;
+            weight_out_same_d1_copy2 <= weight_out_same_copy2;
+            weight_out_same_d1_copy3 <= weight_out_same_copy3;
+            not_weight_out_both_d1 <= not_weight_out_both;
+            weight_out_both_d1 <= weight_out_both_copy2;
+            weight_out_both_d2 <= weight_out_both_d1;
+            weight_out_chosen_d1 <= weight_out_chosen_copy4;
+            weight_out_chosen_d1_copy2 <= weight_out_chosen_copy5;
+            weight_out_chosen_d1_copy3 <= weight_out_chosen_copy6;
+            weight_out_chosen_bits_is_zero_d1 <= weight_out_chosen_bits_is_zero;
+            zero_is_weight_out_chosen_bits_d1 <= zero_is_weight_out_chosen_bits;
+            zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
+            weight_out_both_d1_copy2 <= weight_out_both_copy4;
+            weight_out_either_d1 <= weight_out_either;
+            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy7[31:7];
+            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy8[31:7];
+            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy9[31:7];
+            weight_out_same_d1_copy4 <= weight_out_same_copy4;
+            weight_out_same_d1_copy5 <= weight_out_same_copy5;
+            weight_out_same_d1_copy6 <= weight_out_same_copy6;
+            weight_out_both_d1_copy3 <= weight_out_both_copy6;
+            weight_out_same_d1_copy7 <= weight_out_same_copy7;
+            weight_out_both_d1_copy4 <= weight_out_both_copy7;
+            weight_out_either_d1_copy2 <= weight_out_either_copy3;
+            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy13[20:2];
+            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy14[20:2];
+            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy15[20:2];
+            weight_out_same_d1_copy8 <= weight_out_same_copy10;
+            not_weight_out_both_d1_copy2 <= not_weight_out_both_copy5;
+            denominator_chosen_bits_d1 <= denominator_chosen[18:1];
+            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy16[18:1];
+            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy17[18:1];
+            denominator_d1 <= mul_u18_u18_unit_y;
+            weight_out_sum_d1 <= weight_out_sum;
+            weight_out_in_order_d1 <= weight_out_in_order;
+            not_weight_out_either_d1 <= not_weight_out_either;
+            not_weight_out_either_d2 <= not_weight_out_either_d1;
+            not_weight_out_either_d3 <= not_weight_out_either_d2;
+            not_weight_out_either_d4 <= not_weight_out_either_d3;
+            denominator_bits_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
+            denominator_bits_d2 <= denominator_bits_d1;
+            denominator_bits_d3 <= denominator_bits_d2;
+            denominator_bits_d4 <= denominator_bits_d3;
+            denominator_bits_d5 <= denominator_bits_d4;
+            denominator_bits_d6 <= denominator_bits_d5;
+            denominator_bits_d7 <= denominator_bits_d6;
+            denominator_bits_d8 <= denominator_bits_d7;
+            denominator_bits_d9 <= denominator_bits_d8;
+            denominator_bits_d10 <= denominator_bits_d9;
+            denominator_bits_d11 <= denominator_bits_d10;
+            denominator_bits_d12 <= denominator_bits_d11;
+            denominator_bits_d13 <= denominator_bits_d12;
+            denominator_bits_d14 <= denominator_bits_d13;
+            denominator_bits_d15 <= denominator_bits_d14;
+            denominator_bits_d16 <= denominator_bits_d15;
+            weight_out_shifted_d1 <= {2'd0, weight_out_sum[35:14]} << 1;
+            not_weight_out_difference_sign_d1 <= not_weight_out_difference_sign;
+            weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy18[21:0]} << 1;
+            weight_out_joined_d1 <= {not_weight_out_difference_sign_d1, not_weight_out_difference_sign_copy2};
+            weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy19[21:0]} << 1;
+            weight_out_joined_d1_copy2 <= {weight_out_joined_d1, not_weight_out_difference_sign_copy3};
+            weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy20[21:0]} << 1;
+            weight_out_joined_d1_copy3 <= {weight_out_joined_d1_copy2, not_weight_out_difference_sign_copy4};
+            weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
+            weight_out_joined_d1_copy4 <= {weight_out_joined_d1_copy3, not_weight_out_difference_sign_copy5};
+            weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
+            weight_out_joined_d1_copy5 <= {weight_out_joined_d1_copy4, not_weight_out_difference_sign_copy6};
+            weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
+            weight_out_joined_d1_copy6 <= {weight_out_joined_d1_copy5, not_weight_out_difference_sign_copy7};
+            weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
+            weight_out_joined_d1_copy7 <= {weight_out_joined_d1_copy6, not_weight_out_difference_sign_copy8};
+            weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
+            weight_out_joined_d1_copy8 <= {weight_out_joined_d1_copy7, not_weight_out_difference_sign_copy9};
+            weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
+            weight_out_joined_d1_copy9 <= {weight_out_joined_d1_copy8, not_weight_out_difference_sign_copy10};
+            weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
+            weight_out_joined_d1_copy10 <= {weight_out_joined_d1_copy9, not_weight_out_difference_sign_copy11};
+            weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
+            weight_out_joined_d1_copy11 <= {weight_out_joined_d1_copy10, not_weight_out_difference_sign_copy12};
+            weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
+            weight_out_joined_d1_copy12 <= {weight_out_joined_d1_copy11, not_weight_out_difference_sign_copy13};
+            weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
+            weight_out_joined_d1_copy13 <= {weight_out_joined_d1_copy12, not_weight_out_difference_sign_copy14};
+            weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
+            weight_out_joined_d1_copy14 <= {weight_out_joined_d1_copy13, not_weight_out_difference_sign_copy15};
+            weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
+            weight_out_joined_d1_copy15 <= {weight_out_joined_d1_copy14, not_weight_out_difference_sign_copy16};
+            weight_out_chosen_d1_copy4 <= weight_out_chosen_copy33;
+            x_bits_d1 <= x[26:15];
+            weight_out_either_d1_copy3 <= weight_out_either_copy5;
+            x_bits_d1_copy2 <= x[15:0];
+            y_bits_d1 <= y[26:15];
+            weight_out_either_d1_copy4 <= weight_out_either_copy6;
+            y_bits_d1_copy2 <= y[15:0];
+            weight_out_both_d1_copy5 <= weight_out_both_copy13;
+            weight_out_both_d2_copy2 <= weight_out_both_d1_copy5;
+            weight_out_sum_bits_d1 <= weight_out_sum_copy2[31:28];
+            weight_out_both_d1_copy6 <= weight_out_both_copy14;
+            weight_out_both_d2_copy3 <= weight_out_both_d1_copy6;
+            weight_out_sum_bits_d1_copy2 <= weight_out_sum_copy2[27:10];
+            weight_out_both_d1_copy7 <= weight_out_both_copy15;
+            weight_out_product_bits_d1 <= mul_u18_u16_unit_y[25:10];
+            covered_d1 <= covered;
+            weight_out_lesser_d1 <= weight_out_lesser;
+            not_end_d1 <= not_end;
         end
     end
     always @(posedge clk) begin
@@ -2489,15 +2418,15 @@ module splat_evaluation (
         if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_9_from_0[delay_9_from_0_pointer] <= and_361_d1;
+        if (queue_in_ready) delay_9_from_0[delay_9_from_0_pointer] <= weight_out_both_d1_copy7;
         if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_201;
+        if (queue_in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_weight_out_unequal;
         if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= and_202;
+        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy12;
         if (queue_in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -2510,12 +2439,12 @@ module splat_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {or_369, and_367, delay_17_from_0_out, end_d17};
+            delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_17_from_0_out, end_d17};
         end
         if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_25_from_0[delay_25_from_0_pointer] <= select_363;
+        if (queue_in_ready) delay_25_from_0[delay_25_from_0_pointer] <= weight_out_chosen_copy34;
         if (queue_in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -2526,14 +2455,19 @@ module splat_evaluation (
     end
 
     wire _unused = &{
-        1'b0, add_351[9:0], mul_u18_u16_unit_y[9:0], select_122[6:0], select_125[6:0], select_128[6:0],
-        select_142[3:0], select_145[3:0], select_148[3:0], select_162[1:0], select_165[1:0], select_168[1:0],
-        select_181[0], select_184[0], select_187[0], select_210[23:22], select_217[23:22], select_225[23:22],
-        select_233[23:22], select_241[23:22], select_249[23:22], select_257[23:22], select_265[23:22],
-        select_273[23:22], select_281[23:22], select_289[23:22], select_297[23:22], select_305[23:22],
-        select_313[23:22], select_32[26:23], select_321[23:22], select_36[22:19], select_40[18:17],
-        select_44[16], select_47[26:23], select_50[22:19], select_53[18:17], select_56[16], select_81[32],
-        select_85[31], select_90[31], sub_327[22:0]
+        1'b0, denominator_chosen[0], mul_u18_u16_unit_y[9:0], s1_chosen[26:23], s1_chosen_copy2[22:19],
+        s1_chosen_copy3[18:17], s1_chosen_copy4[16], s1_chosen_copy5[26:23], s1_chosen_copy6[22:19],
+        s1_chosen_copy7[18:17], s1_chosen_copy8[16], weight_out_chosen[32], weight_out_chosen_copy10[3:0],
+        weight_out_chosen_copy11[3:0], weight_out_chosen_copy12[3:0], weight_out_chosen_copy13[1:0],
+        weight_out_chosen_copy14[1:0], weight_out_chosen_copy15[1:0], weight_out_chosen_copy16[0],
+        weight_out_chosen_copy17[0], weight_out_chosen_copy18[23:22], weight_out_chosen_copy19[23:22],
+        weight_out_chosen_copy2[31], weight_out_chosen_copy20[23:22], weight_out_chosen_copy21[23:22],
+        weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22],
+        weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22],
+        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[31],
+        weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22],
+        weight_out_chosen_copy7[6:0], weight_out_chosen_copy8[6:0], weight_out_chosen_copy9[6:0],
+        weight_out_difference_copy16[22:0], weight_out_sum_copy2[9:0]
     };
 endmodule
 
@@ -2542,9 +2476,7 @@ endmodule
 // index_bits = 8
 // fraction_bits = 8
 module float_table_s4_i8_f8 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [32:0] entry_s1;
@@ -2814,8 +2746,8 @@ module float_table_s4_i8_f8 (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s2};
-    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] rise_s3_bits = {1'd0, fraction_s2};
+    wire [25:0] slope_s2_times_rise_s3_bits = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{rise_s3_bits[8]}}, rise_s3_bits});
 
     always @(posedge clk) begin
         if (enable) begin
@@ -2823,14 +2755,14 @@ module float_table_s4_i8_f8 (
             fraction_s1 <= a[7:0];
             slope_s2 <= entry_s1[16:0];
             fraction_s2 <= fraction_s1;
-            rise_s3 <= product_2[23:8];
+            rise_s3 <= slope_s2_times_rise_s3_bits[23:8];
             start_s2 <= entry_s1[32:17];
             start_s3 <= start_s2;
             y <= start_s3 + rise_s3;
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
+    wire _unused = &{1'b0, slope_s2_times_rise_s3_bits[7:0], slope_s2_times_rise_s3_bits[25:24]};
 endmodule
 
 // Integer product, pipelined.
@@ -2838,10 +2770,7 @@ endmodule
 // a = u18
 // b = u16
 module integer_mul_s2_u18_u16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [17:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [17:0] a, input wire [15:0] b,
     output reg  [33:0] y
 );
     reg [17:0] a_s1;
@@ -2861,10 +2790,7 @@ endmodule
 // a = u18
 // b = u18
 module integer_mul_s2_u18_u18 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [17:0] a,
-    input  wire [17:0] b,
+    input  wire clk, input wire enable, input wire [17:0] a, input wire [17:0] b,
     output reg  [35:0] y
 );
     reg [17:0] a_s1, b_s1;
@@ -2883,10 +2809,7 @@ endmodule
 // a = s16
 // b = s16
 module integer_mul_s2_s16_s16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [31:0] y
 );
     reg [15:0] a_s1, b_s1;
@@ -2903,14 +2826,9 @@ endmodule
 // Queue of two in registers.
 // width = 26
 module stream_skid_w26 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [25:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [25:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
 );
     reg second_valid;
     reg [25:0] head, second;
@@ -2936,17 +2854,14 @@ module stream_skid_w26 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2954,8 +2869,7 @@ endmodule
 // Control of the tile slots: placement, exchange with memory, end of frame.
 // slots = 2
 module splat_tile_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in order of tiles.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -3055,16 +2969,29 @@ module splat_tile_cache (
     input  wire [39:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] drain_attribute_2  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
-    reg head_valid, head_end;
-    reg [25:0] head_center_x, head_center_y;
-    reg [15:0] head_ax, head_bx, head_ay, head_by;
-    reg [19:0] head_delta;
-    reg [15:0] head_mx, head_my;
-    reg [3:0] head_shift;
-    reg [23:0] head_depth, head_depth_low, head_depth_high;
-    reg [11:0] head_attribute_0, head_attribute_1, head_attribute_2;
-    reg [2:0] head_left, head_right, head_top, head_bottom;
-    reg [11:0] head_tile;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [25:0] head_center_x;  // Projected center (px), the origin of what follows.
+    reg [25:0] head_center_y;  // Projected center (px), the origin of what follows.
+    reg [15:0] head_ax;  // `A` in x.
+    reg [15:0] head_bx;  // `B` in x.
+    reg [15:0] head_ay;  // `A` in y.
+    reg [15:0] head_by;  // `B` in y.
+    reg [19:0] head_delta;  // The determinant of `A` and `B`.
+    reg [15:0] head_mx;  // `m` in x.
+    reg [15:0] head_my;  // `m` in y.
+    reg [3:0] head_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg [23:0] head_depth;  // Depth.
+    reg [23:0] head_depth_low;  // What is nearer hides the splat.
+    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
+    reg [11:0] head_attribute_0;  // Attributes.
+    reg [11:0] head_attribute_1;  // Attributes.
+    reg [11:0] head_attribute_2;  // Attributes.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
@@ -3099,31 +3026,31 @@ module splat_tile_cache (
     wire [218:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire term_1 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    wire term_2 = mode == 3'd5;
-    wire draining = term_2 | (moving & evict);
-    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & term_3;
-    wire term_4 = mode == 3'd0;
-    wire term_5 = mode == 3'd4;
-    wire term_6 = mode == 3'd3;
+    wire mode_is_6 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
+    wire mode_is_5 = mode == 3'd5;
+    wire draining = mode_is_5 | (moving & evict);
+    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & drain_step_either;
+    wire mode_is_0 = mode == 3'd0;
+    wire mode_is_4 = mode == 3'd4;
+    wire mode_is_3 = mode == 3'd3;
     wire head_takes = ~head_valid;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_7 = head_waits & ~head_end;
-    wire term_8 = resident_0 & is_of_copy_0;
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{term_8, copy_slot};
-    wire term_9 = out_queue_in_ready & ~((term_8 & &in_flight_0) | (copy_slot & &in_flight_1));
-    wire send = term_7 & (copy_hit & term_9);
+    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_10 = send | send_end;
+    wire send_or_send_end = send | send_end;
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_11 = term_1 & beat;
-    wire [27:0] choice_12 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_12;
+    wire mode_is_6_and_beat = mode_is_6 & beat;
+    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
+    wire visible = |visible_choice;
     wire in_queue_out_end = in_queue_out_data[304];
     wire [25:0] in_queue_out_center_x = in_queue_out_data[303:278];
     wire [25:0] in_queue_out_center_y = in_queue_out_data[277:252];
@@ -3147,32 +3074,32 @@ module splat_tile_cache (
     wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
-    wire term_13 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_13);
-    wire term_14 = showing | holding;
-    wire term_15 = (term_2 & (drained[6] & ~term_14)) | (term_1 & drained[6]);
-    wire next_tile = term_15 | (term_5 & ~touched);
+    wire finish_inverted = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
+    wire showing_or_holding = showing | holding;
+    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
+    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_16;
-    wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
-    wire start = term_7 & (~copy_hit & (term_13 & term_18));
-    wire term_19 = ~evict | (drained[6] & ~(term_14 | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & term_19));
-    wire term_20 = start | term_5;
-    wire term_21 = touched & (looked | (term_5 & ~sent_hit));
-    wire term_22 = looked | term_5;
+    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
+    wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
+    wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
+    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire start_or_mode_is_4 = start | mode_is_4;
+    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
+    wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire term_23 = start & ~next;
-    wire term_24 = done & ~slot;
-    wire term_25 = send & ~copy_slot;
-    wire term_26 = retire_valid & ~retire_slot;
-    wire term_27 = start & next;
-    wire term_28 = done & slot;
-    wire term_29 = send & copy_slot;
-    wire term_30 = retire_valid & retire_slot;
+    wire start_and_not_next = start & ~next;
+    wire done_and_not_slot = done & ~slot;
+    wire send_and_not_copy_slot = send & ~copy_slot;
+    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
+    wire start_and_next = start & next;
+    wire done_and_slot = done & slot;
+    wire send_and_copy_slot = send & copy_slot;
+    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
 
     assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
@@ -3199,15 +3126,13 @@ module splat_tile_cache (
     assign drain_pixel = drained[5:0];
 
     memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
-        .clk(clk),
-        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
-        .write_data(looked),
-        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
+        .write_address(looked ? read_tile : code), .write_data(looked),
+        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
     stream_half_buffer_w305 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3217,8 +3142,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w306 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_10), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
@@ -3228,8 +3152,7 @@ module splat_tile_cache (
     );
 
     stream_skid_w218 write_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
         .in_data({
             evict_tile, held_pixel, drain_weight, drain_depth, drain_attribute_0, drain_attribute_1,
             drain_attribute_2
@@ -3238,12 +3161,12 @@ module splat_tile_cache (
     );
 
     stream_skid_w219 pixel_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_11) & visible)), .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
+        .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, code, term_2 ? held_pixel : drained[5:0], choice_12, term_2 ? drain_depth : data_depth,
-            term_2 ? drain_attribute_0 : data_attribute_0, term_2 ? drain_attribute_1 : data_attribute_1,
-            term_2 ? drain_attribute_2 : data_attribute_2
+            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
+            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_attribute_0 : data_attribute_0,
+            mode_is_5 ? drain_attribute_1 : data_attribute_1, mode_is_5 ? drain_attribute_2 : data_attribute_2
         }),
         .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
@@ -3270,30 +3193,30 @@ module splat_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_10 : in_queue_out_valid;
-            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_17;
-            code_read <= term_6 & ~code_read;
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
+            code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
-            if (term_4 | next_tile) code <= code + 12'd1;
+            if (mode_is_0 | next_tile) code <= code + 12'd1;
             if (looked | done) moving <= looked;
-            if (term_21 | read_ready) read_valid <= term_21;
+            if (read_valid_both | read_ready) read_valid <= read_valid_both;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
             if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
-            if (term_23 | close) resident_0 <= term_23;
-            if (term_24 | term_23 | finish) ready_0 <= term_24;
-            if (term_25 ^ term_26) begin
-                in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (start_and_not_next | close) resident_0 <= start_and_not_next;
+            if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
+            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
+                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_27 | close) resident_1 <= term_27;
-            if (term_28 | term_27 | finish) ready_1 <= term_28;
-            if (term_29 ^ term_30) begin
-                in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (start_and_next | close) resident_1 <= start_and_next;
+            if (done_and_slot | start_and_next | finish) ready_1 <= done_and_slot;
+            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
+                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
         end
     end
@@ -3322,26 +3245,28 @@ module splat_tile_cache (
             head_bottom <= in_queue_out_bottom;
             head_tile <= in_queue_out_tile;
         end
-        if (term_20) begin
-            slot <= term_5 ? sent_slot : next;
-            read_tile <= term_5 ? code : head_tile;
+        if (start_or_mode_is_4) begin
+            slot <= mode_is_4 ? sent_slot : next;
+            read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
         if (looked) load <= touched;
-        if (term_22 | (drain_next | term_11)) drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
+            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
+        end
         if (drain_next) shown_pixel <= drained[5:0];
         if (drain_step) held_pixel <= shown_pixel;
-        if (term_22 | fill) filled <= term_22 ? 7'd0 : (filled + 7'd1);
-        if (term_23) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
+        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
+        if (start_and_not_next) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
         is_of_code_1 <= tile_1 == code;
         touched <= stored_touched;
-        if (term_27) tile_1 <= head_tile;
+        if (start_and_next) tile_1 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -3353,25 +3278,18 @@ module splat_tile_cache (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~term_26 | |in_flight_0)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                slot_0_retires_what_entered: assert (0);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
 `else
-                $display("assertion failed: slot_0_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_30 | |in_flight_1)) begin
-`ifdef FORMAL
-                slot_1_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_1_retires_what_entered in %m");
-                $stop;
-`endif
-            end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
+        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -3379,14 +3297,9 @@ endmodule
 // Queue of two in registers.
 // width = 219
 module stream_skid_w219 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [218:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [218:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [218:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [218:0] out_data
 );
     reg second_valid;
     reg [218:0] head, second;
@@ -3412,17 +3325,14 @@ module stream_skid_w219 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3430,14 +3340,9 @@ endmodule
 // Queue of two in registers.
 // width = 218
 module stream_skid_w218 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [217:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [217:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [217:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [217:0] out_data
 );
     reg second_valid;
     reg [217:0] head, second;
@@ -3463,17 +3368,14 @@ module stream_skid_w218 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3481,14 +3383,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 306
 module stream_half_buffer_w306 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [305:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [305:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [305:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [305:0] out_data
 );
     reg full;
     reg [305:0] item;
@@ -3499,22 +3396,16 @@ module stream_half_buffer_w306 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
 // levels = 10
 module splat_reorder (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in any order.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -3605,14 +3496,12 @@ module splat_reorder (
     } = out_queue_out_data;
 
     memory_1w1r_unordered #(.WIDTH(292), .DEPTH(1024), .SLICE(18)) payloads (
-        .clk(clk),
-        .write(offer), .write_address(free), .write_data(in_queue_out_data[303:12]),
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[303:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w305 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3622,30 +3511,27 @@ module splat_reorder (
     );
 
     stream_half_buffer_w305 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w305 caught (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk), .rst(rst),
-        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+        .in_pointer(free),
         .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d1024_w10 returned (
-        .clk(clk), .rst(rst),
-        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -3670,17 +3556,14 @@ module splat_reorder (
     wire _unused = &{1'b0, returned_in_ready};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~leaving | returned_in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                pointers_fit: assert (0);
+        pointers_fit: assert (~leaving | returned_in_ready);
 `else
-                $display("assertion failed: pointers_fit in %m");
-                $stop;
-`endif
-            end
+        if (!(~leaving | returned_in_ready)) begin
+            $display("assertion failed: pointers_fit in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3689,14 +3572,9 @@ endmodule
 // depth = 1024
 // width = 10
 module stream_fifo_d1024_w10 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [9:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [9:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     reg [10:0] held, waiting;
     reg [9:0] write_address, read_address;
@@ -3711,8 +3589,7 @@ module stream_fifo_d1024_w10 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -3733,25 +3610,16 @@ module stream_fifo_d1024_w10 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 11'h400)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 11'h400);
+        held_is_waiting_and_shown: assert (held == (waiting + {10'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {10'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 11'h400)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {10'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3761,8 +3629,7 @@ endmodule
 // interval = 2
 // sequence_bits = 14
 module splat_heap (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Entries in any order.
     output wire in_ready,
     input  wire [11:0] in_tile,  // Tile index.
@@ -3823,8 +3690,8 @@ module splat_heap (
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
     wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire term_1 = push & ~arrival[13];
-    wire term_2 = push & arrival[13];
+    wire push_and_not_arrival_13 = push & ~arrival[13];
+    wire push_and_arrival_13 = push & arrival[13];
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -3832,14 +3699,13 @@ module splat_heap (
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w22 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[35:24], stage_0_root[9:0]}),
+        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
+        .in_data({stage_0_root[35:24], stage_0_root[9:0]}),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(27'd0),
@@ -3847,17 +3713,15 @@ module splat_heap (
         .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
         .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
         .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root),
-        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
-        .below_row(stage_0_below_row)
+        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
+        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
@@ -3876,8 +3740,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
@@ -3896,8 +3759,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
@@ -3916,8 +3778,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
@@ -3946,11 +3807,11 @@ module splat_heap (
             fresh_epoch_blocked <= (arrival[12:0] == 13'd0) & (arrival[13] ? |alive_odd : |alive_even);
             if (push ^ pop) count <= push ? (count + 10'd1) : (count - 10'd1);
             if (push) arrival <= arrival + 14'd1;
-            if (term_1 ^ (pop & ~stage_0_root[23])) begin
-                alive_even <= term_1 ? (alive_even + 10'd1) : (alive_even - 10'd1);
+            if (push_and_not_arrival_13 ^ (pop & ~stage_0_root[23])) begin
+                alive_even <= push_and_not_arrival_13 ? (alive_even + 10'd1) : (alive_even - 10'd1);
             end
-            if (term_2 ^ (pop & stage_0_root[23])) begin
-                alive_odd <= term_2 ? (alive_odd + 10'd1) : (alive_odd - 10'd1);
+            if (push_and_arrival_13 ^ (pop & stage_0_root[23])) begin
+                alive_odd <= push_and_arrival_13 ? (alive_odd + 10'd1) : (alive_odd - 10'd1);
             end
             if (pop) begin
                 current <= stage_0_root[35:24];
@@ -3971,26 +3832,12 @@ endmodule
 // levels = 10
 // interval = 2
 module splat_heap_stage_l8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [36:0] step_entry,
-    input  wire [26:0] step_sibling,
-    input  wire [7:0] step_row,
-    output wire [36:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [7:0] promoted_node
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [7:0] step_row,
+    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -4010,69 +3857,73 @@ module splat_heap_stage_l8 (
     wire [39:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[39:3] : compared_entry;
-    wire term_1 = compared_carried[36] == lap;
-    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
-    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
-    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_36_is_lap = compared_carried[36] == lap;
+    wire [25:0] before_sibling_bits = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] sibling_stays_bits = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? compared_carried_36_is_lap : (before_sibling_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [36:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [25:0] joined_4 = {
+    wire [25:0] sibling_stays_bits_2 = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
-    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire term_6 = ~(chosen_left_count | chosen_right_below);
-    wire [9:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_7[0];
+    wire promoted_childless_inverted = ~(chosen_left_count | chosen_right_below);
+    wire [9:0] side_choice = lower ? last_row_before : {1'd0, row_before};
+    wire side = side_choice[0];
     wire [36:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire choice_8 = lower ? 1'd0 : compared_exists;
-    wire term_9 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_8) & term_9) : write_back_ahead;
+    wire is_first_choice = lower ? 1'd0 : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_10 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_11 = write_back_hole & ~write_back_carry & choice_8;
-    wire choice_12 = lower ? 1'd0 : compared_right;
-    wire term_13 = write_back_right_below & ~(term_11 & choice_12 & (lower ? 1'd0 : term_6));
-    wire term_14 = ~write_back_hole & write_back_existed;
-    wire term_15 = ~choice_12;
-    wire sum_16 = write_back_left_count + ((term_11 & term_15) | (term_14 & term_15));
-    wire [39:0] node_to_store = {entry_to_store, term_10, term_13 | (term_14 & choice_12), sum_16};
-    wire choice_17 = lower ? compared_hole : step_hole;
-    wire choice_18 = lower ? chosen_left_count : step_left_exists;
-    wire choice_19 = lower ? chosen_right_below : step_right_exists;
-    wire choice_20 = lower ? compared_follows : step_follows;
-    wire newer = choice_20 & write_back_valid;
-    wire choice_21 = (choice_18 & choice_19) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_19;
-    wire goes_right = choice_17 ? choice_21 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? 1'd0 : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [39:0] node_to_store = {
+        entry_to_store, node_to_store_unequal, node_to_store_either,
+        write_back_left_count + node_to_store_either_2
+    };
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? (chosen_left_count | ~lower) : step_right;
     wire [9:0] next_row = {row, goes_right};
-    wire [8:0] choice_22 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [8:0] row_choice = lower ? {1'd0, step_row} : next_row[8:0];
     wire same_side = goes_right ^ ~side;
     wire [26:0] sibling = compared_sibling_stored ? stored[39:13] : compared_sibling;
-    wire [36:0] choice_23 = ~goes_right ? right_shown[39:3] : left_shown[39:3];
-    wire [25:0] joined_24 = {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
-    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? term_1 : (joined_2 < joined_24);
-    wire term_25 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [36:0] compared_sibling_choice = ~goes_right ? right_shown[39:3] : left_shown[39:3];
+    wire before_sibling_in_order = before_sibling_bits < {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
+    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? compared_carried_36_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[7:0];
 
     memory_1w1r_unordered #(.WIDTH(40), .DEPTH(512)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_7[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[9:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(40), .DEPTH(512)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_7[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[9:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4087,18 +3938,18 @@ module splat_heap_stage_l8 (
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_17;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_20 & same_side;
+        compared_follows <= compared_follows_choice & same_side;
         compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_19 : choice_18;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_21;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_23[36:10];
-        compared_sibling_exists <= goes_right ? choice_18 : choice_19;
+        compared_sibling <= compared_sibling_choice[36:10];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
         compared_entry <= goes_right ? right_shown[39:3] : left_shown[39:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
@@ -4106,20 +3957,20 @@ module splat_heap_stage_l8 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_25);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
         write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & compared_exists;
         stored <= node_to_store;
-        row <= choice_22;
+        row <= row_choice;
         row_before <= row;
         last_row <= next_row;
         last_row_before <= last_row;
     end
 
-    wire _unused = &{1'b0, choice_23[9:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4127,42 +3978,18 @@ endmodule
 // levels = 10
 // interval = 2
 module splat_heap_stage_l6 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [36:0] step_entry,
-    input  wire [26:0] step_sibling,
-    input  wire [5:0] step_row,
-    input  wire [36:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [7:0] below_promoted_node,
-    output wire [36:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [5:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [36:0] below_entry,
-    output wire [26:0] below_sibling,
-    output wire [7:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [5:0] step_row,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [7:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -4184,84 +4011,85 @@ module splat_heap_stage_l6 (
     wire [41:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[41:5] : compared_entry;
-    wire term_1 = compared_carried[36] == lap;
-    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
-    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
-    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_36_is_lap = compared_carried[36] == lap;
+    wire [25:0] before_chosen_bits = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] sibling_stays_bits = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? compared_carried_36_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [36:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [25:0] joined_4 = {
+    wire [25:0] sibling_stays_bits_2 = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
-    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+    wire [36:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [26:0] sibling = compared_sibling_stored ? stored[41:15] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [7:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [2:0] sum_26 = write_back_left_count + {{2{term_25}}, term_25 | (term_22 & term_24)};
-    wire [41:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [6:0] choice_27 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
+    wire [41:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [6:0] row_choice = lower ? {1'd0, step_row} : next_row[6:0];
     wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_28 = ~goes_right ? right_shown[41:5] : left_shown[41:5];
-    wire [25:0] joined_29 = {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
-    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [36:0] compared_sibling_choice = ~goes_right ? right_shown[41:5] : left_shown[41:5];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
+    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? compared_carried_36_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[5:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(42), .DEPTH(128)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[7:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(42), .DEPTH(128)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[7:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4271,23 +4099,23 @@ module splat_heap_stage_l6 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[36:10];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[36:10];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
         compared_entry <= goes_right ? right_shown[41:5] : left_shown[41:5];
         compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
@@ -4295,18 +4123,18 @@ module splat_heap_stage_l6 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {3{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[9:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4314,42 +4142,18 @@ endmodule
 // levels = 10
 // interval = 2
 module splat_heap_stage_l4 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [36:0] step_entry,
-    input  wire [26:0] step_sibling,
-    input  wire [3:0] step_row,
-    input  wire [36:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [5:0] below_promoted_node,
-    output wire [36:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [3:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [36:0] below_entry,
-    output wire [26:0] below_sibling,
-    output wire [5:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [3:0] step_row,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [5:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -4371,84 +4175,85 @@ module splat_heap_stage_l4 (
     wire [43:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[43:7] : compared_entry;
-    wire term_1 = compared_carried[36] == lap;
-    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
-    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
-    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_36_is_lap = compared_carried[36] == lap;
+    wire [25:0] before_chosen_bits = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] sibling_stays_bits = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? compared_carried_36_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [36:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [25:0] joined_4 = {
+    wire [25:0] sibling_stays_bits_2 = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
-    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+    wire [36:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [26:0] sibling = compared_sibling_stored ? stored[43:17] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [5:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [4:0] sum_26 = write_back_left_count + {{4{term_25}}, term_25 | (term_22 & term_24)};
-    wire [43:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [4:0] choice_27 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
+    wire [43:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [4:0] row_choice = lower ? {1'd0, step_row} : next_row[4:0];
     wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_28 = ~goes_right ? right_shown[43:7] : left_shown[43:7];
-    wire [25:0] joined_29 = {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
-    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [36:0] compared_sibling_choice = ~goes_right ? right_shown[43:7] : left_shown[43:7];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
+    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? compared_carried_36_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[3:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(32)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(32)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4458,23 +4263,23 @@ module splat_heap_stage_l4 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[36:10];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[36:10];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
         compared_entry <= goes_right ? right_shown[43:7] : left_shown[43:7];
         compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
@@ -4482,18 +4287,18 @@ module splat_heap_stage_l4 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {5{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[9:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4501,42 +4306,18 @@ endmodule
 // levels = 10
 // interval = 2
 module splat_heap_stage_l2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [36:0] step_entry,
-    input  wire [26:0] step_sibling,
-    input  wire [1:0] step_row,
-    input  wire [36:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [3:0] below_promoted_node,
-    output wire [36:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [1:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [36:0] below_entry,
-    output wire [26:0] below_sibling,
-    output wire [3:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [36:0] step_entry, input wire [26:0] step_sibling, input wire [1:0] step_row,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
+    output wire [36:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [3:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -4558,84 +4339,85 @@ module splat_heap_stage_l2 (
     wire [45:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[45:9] : compared_entry;
-    wire term_1 = compared_carried[36] == lap;
-    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
-    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
-    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_36_is_lap = compared_carried[36] == lap;
+    wire [25:0] before_chosen_bits = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] sibling_stays_bits = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? compared_carried_36_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [36:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [25:0] joined_4 = {
+    wire [25:0] sibling_stays_bits_2 = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
-    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
+    wire [36:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [26:0] sibling = compared_sibling_stored ? stored[45:19] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [3:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [6:0] sum_26 = write_back_left_count + {{6{term_25}}, term_25 | (term_22 & term_24)};
-    wire [45:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [2:0] choice_27 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [6:0] node_to_store_sum = write_back_left_count + {{6{node_to_store_both_4}}, node_to_store_either_2};
+    wire [45:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [2:0] row_choice = lower ? {1'd0, step_row} : next_row[2:0];
     wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_28 = ~goes_right ? right_shown[45:9] : left_shown[45:9];
-    wire [25:0] joined_29 = {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
-    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [36:0] compared_sibling_choice = ~goes_right ? right_shown[45:9] : left_shown[45:9];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
+    wire before_sibling = (compared_carried[36] ^ sibling[26]) ? compared_carried_36_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[1:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(8)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(8)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4645,23 +4427,23 @@ module splat_heap_stage_l2 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[36:10];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[36:10];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
         compared_entry <= goes_right ? right_shown[45:9] : left_shown[45:9];
         compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
@@ -4669,18 +4451,18 @@ module splat_heap_stage_l2 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {7{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[9:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4688,37 +4470,18 @@ endmodule
 // levels = 10
 // interval = 2
 module splat_heap_stage_l0 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [36:0] step_entry,
-    input  wire [26:0] step_sibling,
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [36:0] step_entry, input wire [26:0] step_sibling,
     input  wire newcomer_lap,
-    input  wire [36:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [1:0] below_promoted_node,
+    input  wire [36:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
     output wire [36:0] root,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [36:0] below_entry,
-    output wire [26:0] below_sibling,
-    output wire [1:0] below_row
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [36:0] below_entry, output wire [26:0] below_sibling, output wire [1:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
@@ -4739,81 +4502,83 @@ module splat_heap_stage_l0 (
     reg row, row_before;
     wire [47:0] left_shown, right_shown;
 
-    wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & write_back_valid;
-    wire choice_2 = lower ? newcomer_lap : compared_carried[36];
+    wire newer_choice = lower ? compared_follows : step_follows;
+    wire newer = newer_choice & write_back_valid;
+    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[36];
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[47:11] : compared_entry;
-    wire term_3 = choice_2 == lap;
-    wire [25:0] joined_4 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
-    wire [25:0] joined_5 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
-    wire before_chosen = (choice_2 ^ chosen_entry[36]) ? term_3 : (joined_4 < joined_5);
+    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
+    wire [25:0] before_chosen_bits = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] before_chosen_bits_2 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (before_chosen_choice ^ chosen_entry[36]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [36:0] joined_6 = {choice_2, compared_carried[35:0]};
-    wire [36:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [36:0] write_back_entry_bits = {before_chosen_choice, compared_carried[35:0]};
+    wire [36:0] first = carried_first ? write_back_entry_bits : chosen_entry;
     wire [36:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_7 = compared_valid & compared_exists;
+    wire below_valid_both = compared_valid & compared_exists;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
-    wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
+    wire below_right_both = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire [36:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [36:0] below_entry_choice = carried_first ? chosen_entry : write_back_entry_bits;
     wire [26:0] sibling = compared_sibling_stored ? stored[47:21] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] choice_13 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_13[0];
-    wire choice_14 = lower ? below_promoted_exists : compared_exists;
-    wire [25:0] joined_15 = {
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire [25:0] sibling_stays_bits = {
         compared_parent_sibling[25:14], compared_parent_sibling[13] == last_epoch,
         compared_parent_sibling[12:0]
     };
-    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (joined_15 < joined_5);
-    wire choice_16 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire term_17 = ~write_back_sibling_exists | write_back_ahead | choice_16;
-    wire is_first = write_back_hole ? ((write_back_carry | choice_14) & term_17) : write_back_ahead;
+    wire sibling_stays = (compared_parent_sibling[26] ^ chosen_entry[36]) ? (compared_parent_sibling[26] == lap) : (sibling_stays_bits < before_chosen_bits_2);
+    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
-    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [1:0] next_row = {row, goes_right};
-    wire term_19 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_20 = write_back_hole & ~write_back_carry & choice_14;
-    wire choice_21 = lower ? below_promoted_right : compared_right;
-    wire choice_22 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_23 = write_back_right_below & ~(term_20 & choice_21 & choice_22);
-    wire term_24 = ~write_back_hole & write_back_existed;
-    wire term_25 = ~choice_21;
-    wire term_26 = term_20 & term_25;
-    wire [8:0] sum_27 = write_back_left_count + {{8{term_26}}, term_26 | (term_24 & term_25)};
-    wire [47:0] node_to_store = {entry_to_store, term_19, term_23 | (term_24 & choice_21), sum_27};
-    wire choice_28 = lower ? 1'd0 : next_row[0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [8:0] node_to_store_sum = write_back_left_count + {{8{node_to_store_both_4}}, node_to_store_either_2};
+    wire [47:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire row_choice = lower ? 1'd0 : next_row[0];
     wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_29 = ~goes_right ? right_shown[47:11] : left_shown[47:11];
-    wire [25:0] joined_30 = {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
-    wire before_sibling = (choice_2 ^ sibling[26]) ? term_3 : (joined_4 < joined_30);
-    wire term_31 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [36:0] compared_sibling_choice = ~goes_right ? right_shown[47:11] : left_shown[47:11];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[25:14], sibling[13] == last_epoch, sibling[12:0]};
+    wire before_sibling = (before_chosen_choice ^ sibling[26]) ? before_chosen_choice_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign root = newer ? entry_to_store : right_shown[47:11];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(2)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(2)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4823,23 +4588,23 @@ module splat_heap_stage_l0 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_1 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= newer_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_18;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_29[36:10];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[36:10];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
         compared_entry <= goes_right ? right_shown[47:11] : left_shown[47:11];
         compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
@@ -4847,31 +4612,26 @@ module splat_heap_stage_l0 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_31);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {9{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_29[9:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[9:0]};
 endmodule
 
 // Queue of two in registers.
 // width = 22
 module stream_skid_w22 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [21:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [21:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg second_valid;
     reg [21:0] head, second;
@@ -4897,25 +4657,21 @@ module stream_skid_w22 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Footprints with bounds in the image.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -4964,15 +4720,28 @@ module splat_splitter (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last, splat_end;
-    reg [25:0] splat_center_x, splat_center_y;
-    reg [15:0] splat_ax, splat_bx, splat_ay, splat_by;
-    reg [19:0] splat_delta;
-    reg [15:0] splat_mx, splat_my;
-    reg [3:0] splat_shift;
-    reg [23:0] splat_depth, splat_depth_low, splat_depth_high;
-    reg [11:0] splat_attribute_0, splat_attribute_1, splat_attribute_2;
-    reg [8:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg busy, idle, last;
+    reg splat_end;  // Closes the frame.
+    reg [25:0] splat_center_x;  // Projected center (px), the origin of what follows.
+    reg [25:0] splat_center_y;  // Projected center (px), the origin of what follows.
+    reg [15:0] splat_ax;  // `A` in x.
+    reg [15:0] splat_bx;  // `B` in x.
+    reg [15:0] splat_ay;  // `A` in y.
+    reg [15:0] splat_by;  // `B` in y.
+    reg [19:0] splat_delta;  // The determinant of `A` and `B`.
+    reg [15:0] splat_mx;  // `m` in x.
+    reg [15:0] splat_my;  // `m` in y.
+    reg [3:0] splat_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg [23:0] splat_depth;  // Depth.
+    reg [23:0] splat_depth_low;  // What is nearer hides the splat.
+    reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
+    reg [11:0] splat_attribute_0;  // Attributes.
+    reg [11:0] splat_attribute_1;  // Attributes.
+    reg [11:0] splat_attribute_2;  // Attributes.
+    reg [8:0] splat_left;  // First column.
+    reg [8:0] splat_right;  // Last column.
+    reg [8:0] splat_top;  // First row.
+    reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -4981,11 +4750,10 @@ module splat_splitter (
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
     wire take = ready & in_valid;
-    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
-    wire term_2 = in_end | term_1;
-    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
-    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
+    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -4996,8 +4764,7 @@ module splat_splitter (
     } = out_queue_out_data;
 
     stream_half_buffer_w305 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
@@ -5014,14 +4781,14 @@ module splat_splitter (
             idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
-            idle <= take ? term_2 : (~busy | (last | term_5));
+            idle <= take ? idle_either : (~busy | (last | idle_same));
         end
     end
     always @(posedge clk) begin
         if (out_queue_in_ready) begin
-            last <= take ? term_2 : term_5;
-            column <= take ? in_left[8:3] : choice_4;
-            row <= take ? in_top[8:3] : choice_3;
+            last <= take ? idle_either : idle_same;
+            column <= take ? in_left[8:3] : idle_choice_2;
+            row <= take ? in_top[8:3] : idle_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -5052,14 +4819,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 305
 module stream_half_buffer_w305 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [304:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [304:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [304:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [304:0] out_data
 );
     reg full;
     reg [304:0] item;
@@ -5070,70 +4832,64 @@ module stream_half_buffer_w305 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
 // latency = 161
 // initiation_interval = 8
 module splat_setup (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in camera space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    input  wire [23:0] filter_radius,
-    input  wire [23:0] scale_x,
-    input  wire [23:0] origin_x,
-    input  wire [23:0] scale_y,
-    input  wire [23:0] origin_y,
-    input  wire [23:0] depth_b,
-    input  wire [23:0] depth_a,
-    input  wire [23:0] epsilon_scale,
-    input  wire [23:0] epsilon_bias,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [11:0] in_attribute_0,  // Attributes.
+    input  wire [11:0] in_attribute_1,  // Attributes.
+    input  wire [11:0] in_attribute_2,  // Attributes.
+    input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] scale_x,  // Scale (px).
+    input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
+    input  wire [23:0] scale_y,  // Scale (px).
+    input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
+    output wire out_valid,  // Footprints with bounds.
     input  wire out_ready,
-    output wire out_end,
-    output wire [25:0] out_center_x,
-    output wire [25:0] out_center_y,
-    output wire [15:0] out_ax,
-    output wire [15:0] out_bx,
-    output wire [15:0] out_ay,
-    output wire [15:0] out_by,
-    output wire [19:0] out_delta,
-    output wire [15:0] out_mx,
-    output wire [15:0] out_my,
-    output wire [3:0] out_shift,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2,
-    output wire [8:0] out_left,
-    output wire [8:0] out_right,
-    output wire [8:0] out_top,
-    output wire [8:0] out_bottom
+    output wire out_end,  // Closes the frame.
+    output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [25:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [15:0] out_ax,  // `A` in x.
+    output wire [15:0] out_bx,  // `B` in x.
+    output wire [15:0] out_ay,  // `A` in y.
+    output wire [15:0] out_by,  // `B` in y.
+    output wire [19:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [15:0] out_mx,  // `m` in x.
+    output wire [15:0] out_my,  // `m` in y.
+    output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [11:0] out_attribute_0,  // Attributes.
+    output wire [11:0] out_attribute_1,  // Attributes.
+    output wire [11:0] out_attribute_2,  // Attributes.
+    output wire [8:0] out_left,  // First column.
+    output wire [8:0] out_right,  // Last column.
+    output wire [8:0] out_top,  // First row.
+    output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
     reg [8:0] delay_5_from_0 [0:3];
@@ -5204,109 +4960,116 @@ module splat_setup (
     reg [3:0] delay_13_from_6_pointer, delay_13_from_6_out;
     reg [2:0] delay_9_from_7_pointer;
     reg delay_9_from_7_out, end_d18, end_d19, end_d20, end_d21;
-    reg [23:0] recip_15_d1, reinterpret_16_d1, reinterpret_16_d2, reinterpret_16_d3, mul_17_d1, mul_17_d2, mul_17_d3;
-    reg [23:0] reinterpret_18_d1, reinterpret_18_d2, reinterpret_18_d3, mul_19_d1, mul_19_d2, mul_19_d3, add_22_d1;
-    reg [23:0] add_22_d2, add_22_d3, add_22_d4;
+    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, alpha_d1, alpha_d2, alpha_d3, tangent2_z_d1;
+    reg [23:0] tangent2_z_d2, tangent2_z_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2, q_d3, q_d4;
     reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
-    reg [23:0] reinterpret_30_d1, reinterpret_30_d2, reinterpret_30_d3, mul_31_d1, reinterpret_32_d1;
-    reg [23:0] reinterpret_32_d2, reinterpret_32_d3, mul_33_d1, mul_37_d1, reinterpret_38_d1, reinterpret_38_d2;
-    reg [23:0] reinterpret_38_d3, mul_39_d1, mul_43_d1, add_46_d1, add_46_d2, add_46_d3, add_46_d4, add_46_d5;
-    reg [23:0] add_46_d6, add_46_d7, add_49_d1, add_49_d2, add_54_d1, mul_55_d1, add_59_d1, add_59_d2, add_59_d3;
-    reg [23:0] add_59_d4, add_64_d1, add_66_d1;
-    reg [21:0] shr_82_d1, select_85_d1, min_86_d1;
-    reg [8:0] resize_91_d1, resize_91_d2, resize_91_d3, resize_91_d4, resize_91_d5;
-    reg lt_92_d1;
-    reg [23:0] reinterpret_95_d1, reinterpret_95_d2, reinterpret_95_d3, mul_96_d1, reinterpret_97_d1;
-    reg [23:0] reinterpret_97_d2, reinterpret_97_d3, mul_98_d1, mul_102_d1, reinterpret_103_d1, reinterpret_103_d2;
-    reg [23:0] reinterpret_103_d3, mul_104_d1, mul_108_d1, add_111_d1, add_111_d2, add_111_d3, add_111_d4;
-    reg [23:0] add_111_d5, add_111_d6, add_111_d7, add_111_d8, add_111_d9, add_114_d1, add_114_d2, add_119_d1;
-    reg [23:0] mul_120_d1, add_121_d1, add_124_d1, add_124_d2, add_124_d3, add_124_d4, neg_125_d1, min_129_d1;
-    reg [23:0] max_131_d1;
-    reg [21:0] shr_142_d1, select_143_d1, min_144_d1;
-    reg [8:0] resize_148_d1, resize_148_d2, resize_148_d3, resize_148_d4;
-    reg lt_149_d1;
-    reg [23:0] mul_151_d1;
-    reg equal_160_d1, lt_163_d1;
-    reg [23:0] mul_169_d1, neg_171_d1, mul_174_d6, add_176_d1, add_176_d2, add_176_d3, add_179_d1, add_179_d2;
-    reg [23:0] abs_180_d1, abs_180_d2, sqrt_181_d1, mul_183_d1, mul_183_d2, mul_183_d3, select_188_d1, select_188_d2;
-    reg [23:0] min_189_d1, select_190_d1;
-    reg le_195_d1, le_195_d2, le_195_d3, le_195_d4, and_196_d1, bits_198_d1, or_203_d1, or_203_d2, or_203_d3;
-    reg or_203_d4, lt_207_d1, placed_d1, placed_d2;
-    reg [27:0] shr_221_d1;
-    reg [25:0] resize_223_d1, select_224_d10, select_224_d11, select_224_d12, select_224_d13;
-    reg [27:0] shr_232_d1;
-    reg [25:0] resize_234_d1, select_235_d10, select_235_d11, select_235_d12, select_235_d13;
-    reg [26:0] reinterpret_241_d1, resize_242_d1, sub_243_d1, reinterpret_245_d1, sub_246_d1;
-    reg [25:0] bits_250_d1;
-    reg [26:0] not_252_d1, reinterpret_260_d1, resize_261_d1, sub_262_d1, reinterpret_264_d1, sub_265_d1;
-    reg [25:0] bits_269_d1, or_270_d1;
-    reg [26:0] not_272_d1;
-    reg [10:0] bits_277_d1;
-    reg not_280_d1;
-    reg [9:0] bits_283_d1;
-    reg not_286_d1;
-    reg [8:0] bits_289_d1;
-    reg not_291_d1;
-    reg [3:0] select_293_d1;
-    reg [7:0] bits_294_d1;
-    reg not_297_d1;
-    reg [6:0] bits_300_d1;
-    reg not_303_d1;
-    reg [5:0] bits_306_d1;
-    reg not_309_d1;
-    reg [3:0] select_311_d1;
-    reg [4:0] bits_312_d1;
-    reg not_315_d1;
-    reg [3:0] bits_318_d1;
-    reg not_320_d1, equal_325_d1;
-    reg [3:0] select_328_d1;
-    reg equal_331_d1, equal_337_d1;
+    reg [23:0] center_x_d1, center_x_d2, center_x_d3, v_x_d1, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3;
+    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, r_times_tangent2_x_d1;
+    reg [23:0] b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3_copy2, center_x_d4, center_x_d5;
+    reg [23:0] center_x_d6, center_x_d7, t_x_sum_d1, t_x_sum_d2, a_x_squared_plus_b_x_squared_d1, h_x_product_d1;
+    reg [23:0] center_x_minus_t_x_d1, center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4;
+    reg [23:0] center_x_minus_filter_radius_d1, filter_radius_plus_center_x_d1;
+    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, last_x_lesser_d1;
+    reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4, last_x_d5;
+    reg occupied_x_d1;
+    reg [23:0] center_y_d1, center_y_d2, center_y_d3, v_y_d1, tangent1_y_d1, tangent1_y_d2, tangent1_y_d3;
+    reg [23:0] r_times_tangent1_y_d1, a_y_d1, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, r_times_tangent2_y_d1;
+    reg [23:0] b_y_d1, center_y_d1_copy2, center_y_d2_copy2, center_y_d3_copy2, center_y_d4, center_y_d5;
+    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, t_y_sum_d1, t_y_sum_d2;
+    reg [23:0] a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
+    reg [23:0] minus_h_y_d1, first_y_lesser_d1, last_y_greater_d1;
+    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, last_y_lesser_d1;
+    reg [8:0] last_y_d1, last_y_d2, last_y_d3, last_y_d4;
+    reg occupied_y_d1;
+    reg [23:0] a_x_times_b_y_d1;
+    reg delta_bits_is_zero_d1, edge_on_in_order_d1;
+    reg [23:0] alpha_times_b_x_d1, minus_beta_times_a_x_d1, b_depth_d6, center_depth_d1, center_depth_d2;
+    reg [23:0] center_depth_d3, spread_middle_d1, spread_middle_d2, abs_b_depth_d1, abs_b_depth_d2, root_of_q_d1;
+    reg [23:0] spread_half_d1, spread_half_d2, spread_half_d3, middle_depth_d1, middle_depth_d2;
+    reg [23:0] half_depth_lesser_d1, half_depth_d1;
+    reg center_depth_up_to_one_d1, center_depth_up_to_one_d2, center_depth_up_to_one_d3;
+    reg center_depth_up_to_one_d4, visible_both_d1, delta_sign_d1, end_or_visible_d1, end_or_visible_d2;
+    reg end_or_visible_d3, end_or_visible_d4, center_x_bits_below_140_d1, placed_d1, placed_d2;
+    reg [27:0] center_x_out_shifted_d1;
+    reg [25:0] center_x_out_lesser_d1, center_x_out_d10, center_x_out_d11, center_x_out_d12, center_x_out_d13;
+    reg [27:0] center_y_out_shifted_d1;
+    reg [25:0] center_y_out_lesser_d1, center_y_out_d10, center_y_out_d11, center_y_out_d12, center_y_out_d13;
+    reg [26:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
+    reg [26:0] shift_difference_d1_copy2;
+    reg [25:0] shift_chosen_bits_d1;
+    reg [26:0] not_shift_difference_d1, shift_shifted_d1_copy3, center_y_out_d1, shift_difference_d1_copy3;
+    reg [26:0] shift_shifted_d1_copy4, shift_difference_d1_copy4;
+    reg [25:0] shift_chosen_bits_d1_copy2, shift_either_d1;
+    reg [26:0] not_shift_difference_d1_copy2;
+    reg [10:0] shift_either_bits_d1;
+    reg not_shift_either_bits_is_zero_d1;
+    reg [9:0] shift_either_bits_d1_copy2;
+    reg not_shift_either_bits_is_zero_d1_copy2;
+    reg [8:0] shift_either_bits_d1_copy3;
+    reg not_zero_is_shift_either_bits_d1;
+    reg [3:0] shift_chosen_d1;
+    reg [7:0] shift_either_bits_d1_copy4;
+    reg not_shift_either_bits_is_zero_d1_copy3;
+    reg [6:0] shift_either_bits_d1_copy5;
+    reg not_shift_either_bits_is_zero_d1_copy4;
+    reg [5:0] shift_either_bits_d1_copy6;
+    reg not_shift_either_bits_is_zero_d1_copy5;
+    reg [3:0] shift_chosen_d1_copy2;
+    reg [4:0] shift_either_bits_d1_copy7;
+    reg not_shift_either_bits_is_zero_d1_copy6;
+    reg [3:0] shift_either_bits_d1_copy8;
+    reg not_zero_is_shift_either_bits_d1_copy2, shift_either_bits_is_zero_d1;
+    reg [3:0] shift_chosen_d1_copy3;
+    reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2, shift_d3;
-    reg [9:0] add_343_d1, resize_344_d11, select_347_d1, resize_351_d13, resize_353_d13, resize_355_d1;
-    reg [9:0] resize_355_d13, resize_357_d11, resize_359_d11, max_360_d1, max_361_d1, max_362_d1, max_363_d1;
-    reg [9:0] max_364_d1, exponent_d1, add_367_d1;
-    reg and_371_d1;
-    reg [23:0] reinterpret_379_d1;
-    reg [17:0] shr_388_d1;
-    reg [15:0] resize_390_d1;
-    reg [9:0] add_391_d1;
-    reg and_395_d1;
-    reg [23:0] reinterpret_403_d1;
-    reg [17:0] shr_411_d1;
-    reg [15:0] resize_413_d1;
-    reg [9:0] add_414_d1;
-    reg and_418_d1;
-    reg [23:0] reinterpret_426_d1;
-    reg [17:0] shr_434_d1;
-    reg [15:0] resize_436_d1;
-    reg [9:0] add_437_d1;
-    reg and_441_d1;
-    reg [23:0] reinterpret_449_d1;
-    reg [17:0] shr_457_d1;
-    reg [15:0] resize_459_d1;
-    reg [9:0] add_460_d1;
-    reg and_464_d1;
-    reg [23:0] reinterpret_472_d1;
-    reg [17:0] shr_480_d1;
-    reg [15:0] resize_482_d1;
-    reg [9:0] add_483_d1;
-    reg and_487_d1;
-    reg [23:0] reinterpret_495_d1;
-    reg [17:0] shr_503_d1;
-    reg [15:0] resize_505_d1;
-    reg lt_508_d1;
-    reg [9:0] sub_512_d1;
-    reg [23:0] reinterpret_518_d1;
-    reg [21:0] shr_527_d1;
-    reg [19:0] resize_529_d1;
-    reg or_533_d1, equal_534_d1, or_537_d1, or_537_d2, or_539_d1, or_541_d1, equal_542_d1, vanishes_d1;
-    reg not_549_d1, or_550_d1;
-    reg [23:0] max_569_d1, to_fixed_570_d1, to_fixed_570_d2, to_fixed_570_d3, to_fixed_570_d4, recip_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b;
-    reg [23:0] mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [9:0] shift_plus_4_d1, delta_bits_d11, exponent_chosen_d1, b_x_bits_d13, a_y_bits_d13, b_y_bits_d1;
+    reg [9:0] b_y_bits_d13, mx_bits_d11, my_bits_d11, exponent_greater_d1, exponent_greater_d1_copy2;
+    reg [9:0] exponent_greater_d1_copy3, exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1;
+    reg [9:0] a_x_bits_plus_126_d1;
+    reg ax_out_both_d1;
+    reg [23:0] ax_out_joined_d1;
+    reg [17:0] ax_out_shifted_d1;
+    reg [15:0] ax_out_lesser_d1;
+    reg [9:0] b_x_bits_plus_126_d1;
+    reg bx_out_both_d1;
+    reg [23:0] bx_out_joined_d1;
+    reg [17:0] bx_out_shifted_d1;
+    reg [15:0] bx_out_lesser_d1;
+    reg [9:0] a_y_bits_plus_126_d1;
+    reg ay_out_both_d1;
+    reg [23:0] ay_out_joined_d1;
+    reg [17:0] ay_out_shifted_d1;
+    reg [15:0] ay_out_lesser_d1;
+    reg [9:0] b_y_bits_plus_126_d1;
+    reg by_out_both_d1;
+    reg [23:0] by_out_joined_d1;
+    reg [17:0] by_out_shifted_d1;
+    reg [15:0] by_out_lesser_d1;
+    reg [9:0] mx_bits_plus_126_d1;
+    reg mx_out_both_d1;
+    reg [23:0] mx_out_joined_d1;
+    reg [17:0] mx_out_shifted_d1;
+    reg [15:0] mx_out_lesser_d1;
+    reg [9:0] my_bits_plus_126_d1;
+    reg my_out_both_d1;
+    reg [23:0] my_out_joined_d1;
+    reg [17:0] my_out_shifted_d1;
+    reg [15:0] my_out_lesser_d1;
+    reg vanishes_in_order_d1;
+    reg [9:0] vanishes_difference_d1;
+    reg [23:0] vanishes_joined_d1;
+    reg [21:0] vanishes_shifted_d1;
+    reg [19:0] vanishes_lesser_d1;
+    reg odd_either_d1, a_y_bits_is_255_d1, odd_either_d1_copy2, odd_either_d2;
+    reg odd_either_or_mx_bits_is_255_d1, odd_either_d1_copy3, delta_bits_is_255_d1, vanishes_d1;
+    reg not_placed_d1, edge_on_or_not_placed_d1;
+    reg [23:0] depth_high_out_greater_d1, depth_high_out_d1, depth_high_out_d2, depth_high_out_d3, depth_high_out_d4;
+    reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
+    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
+    reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a;
+    reg [23:0] mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a;
+    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
     reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
     reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a;
     reg [23:0] min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
@@ -5329,290 +5092,322 @@ module splat_setup (
     wire [20:0] to_fixed_f24_ftz_s21q20_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire term_1 = phase == 3'd1;
-    wire term_2 = in_flight[20] & or_203_d4 & term_1;
+    wire phase_is_1 = phase == 3'd1;
+    wire queue_in_valid_both = in_flight[20] & end_or_visible_d4 & phase_is_1;
     wire covers_nothing = vanishes_d1 | delay_12_from_2_out;
-    wire [15:0] select_554 = covers_nothing ? 16'd0 : resize_390_d1;
-    wire [15:0] select_555 = covers_nothing ? 16'd0 : resize_413_d1;
-    wire [15:0] select_556 = covers_nothing ? 16'd0 : resize_436_d1;
-    wire [15:0] select_557 = covers_nothing ? 16'd0 : resize_459_d1;
-    wire [19:0] select_559 = covers_nothing ? 20'd0 : resize_529_d1;
-    wire [15:0] select_560 = covers_nothing ? 16'd0 : resize_482_d1;
-    wire [15:0] select_561 = covers_nothing ? 16'd0 : resize_505_d1;
-    wire term_3 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire [21:0] add_81 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] add_73 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_85 = whole_d10 ? (add_73 >> 8) : 22'd0;
-    wire [21:0] min_86 = (22'd512 < shr_82_d1) ? 22'd512 : shr_82_d1;
-    wire [21:0] select_87 = whole_d10 ? min_86_d1 : 22'd512;
-    wire [21:0] sub_89 = select_87 - 22'd1;
-    wire lt_92 = select_85_d1 < select_87;
-    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [21:0] add_141 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] add_135 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] select_143 = whole_d10 ? (add_135 >> 8) : 22'd0;
-    wire [21:0] min_144 = (shr_142_d1 < 22'd512) ? shr_142_d1 : 22'd512;
-    wire [21:0] select_145 = whole_d11 ? min_144_d1 : 22'd512;
-    wire [21:0] sub_146 = select_145 - 22'd1;
-    wire lt_149 = select_143_d1 < select_145;
-    wire [8:0] joined_6 = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire equal_160 = joined_6 == 9'd0;
-    wire [8:0] add_158 = joined_6 + 9'd12;
-    wire lt_163 = add_158 < {1'd0, mul_151_d1[22:15]};
-    wire [23:0] joined_7 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [15:0] ax_out = covers_nothing ? 16'd0 : ax_out_lesser_d1;
+    wire [15:0] bx_out = covers_nothing ? 16'd0 : bx_out_lesser_d1;
+    wire [15:0] ay_out = covers_nothing ? 16'd0 : ay_out_lesser_d1;
+    wire [15:0] by_out = covers_nothing ? 16'd0 : by_out_lesser_d1;
+    wire [19:0] delta_out = covers_nothing ? 20'd0 : vanishes_lesser_d1;
+    wire [15:0] mx_out = covers_nothing ? 16'd0 : mx_out_lesser_d1;
+    wire [15:0] my_out = covers_nothing ? 16'd0 : my_out_lesser_d1;
+    wire [23:0] depth_low_out_d5 = delay_5_from_5_out[47:24];
+    wire [11:0] attribute_0_d21 = delay_21_from_0_out[11:0];
+    wire [11:0] attribute_1_d21 = delay_21_from_0_out[23:12];
+    wire [11:0] attribute_2_d21 = delay_21_from_0_out[35:24];
+    wire phase_is_7 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [21:0] last_x_chosen = whole_d10 ? last_x_lesser_d1 : 22'd512;
+    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
+    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
+    wire occupied_x = first_x_chosen_d1 < last_x_chosen;
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_chosen = whole_d10 ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [21:0] last_y_chosen = whole_d11 ? last_y_lesser_d1 : 22'd512;
+    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
+    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
+    wire occupied_y = first_y_chosen_d1 < last_y_chosen;
+    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_d1[22:15]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] b_depth_d5 = delay_5_from_5_out[23:0];
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
-    wire [23:0] select_188 = beyond_near ? add_179_d2 : add_176_d3;
-    wire [23:0] select_190 = beyond_near ? mul_183_d3 : min_189_d1;
-    wire and_196 = lt_92_d1 & le_195_d4;
-    wire and_197 = lt_149_d1 & and_196_d1;
-    wire and_202 = and_197 & delay_9_from_7_out;
-    wire or_203 = delay_17_from_0_out | and_202;
-    wire [9:0] joined_8 = {2'd0, add_f24_ftz_unit_y[22:15]};
-    wire lt_207 = joined_8 < 10'd140;
-    wire lt_210 = lt_207;
-    wire placed = lt_207_d1 & lt_210;
-    wire [27:0] joined_9 = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
-    wire not_215 = ~to_fixed_f24_ftz_s27q13_unit_y[26];
-    wire [27:0] add_219 = joined_9 + {27'd0, not_215};
-    wire [27:0] min_222 = ($signed(shr_221_d1) < $signed(28'h1ffffff)) ? shr_221_d1 : 28'h1ffffff;
-    wire not_227 = not_215;
-    wire [27:0] add_231 = joined_9 + {27'd0, not_227};
-    wire [27:0] min_233 = ($signed(shr_232_d1) < $signed(28'h1ffffff)) ? shr_232_d1 : 28'h1ffffff;
-    wire [26:0] sub_243 = reinterpret_241_d1 - resize_242_d1;
-    wire [26:0] add_238 = 27'd1 + {18'd0, resize_91_d1};
-    wire [26:0] sub_246 = reinterpret_245_d1 - resize_242_d1;
-    wire [26:0] not_248 = ~sub_243_d1;
-    wire [26:0] select_249 = sub_243_d1[26] ? not_248 : sub_243_d1;
-    wire [26:0] not_252 = ~sub_246;
-    wire [26:0] sub_262 = reinterpret_260_d1 - resize_261_d1;
-    wire [26:0] add_257 = 27'd1 + {18'd0, resize_148_d1};
-    wire [26:0] sub_265 = reinterpret_264_d1 - resize_261_d1;
-    wire [26:0] not_267 = ~sub_262_d1;
-    wire [26:0] select_268 = sub_262_d1[26] ? not_267 : sub_262_d1;
-    wire [26:0] select_253 = sub_246_d1[26] ? not_252_d1 : sub_246_d1;
-    wire [25:0] or_255 = bits_250_d1 | select_253[25:0];
-    wire [25:0] or_270 = or_255 | bits_269_d1;
-    wire [26:0] not_272 = ~sub_265;
-    wire [26:0] select_273 = sub_265_d1[26] ? not_272_d1 : sub_265_d1;
-    wire [25:0] or_275 = or_270_d1 | select_273[25:0];
-    wire equal_279 = bits_277_d1 == 11'd0;
-    wire not_280 = ~equal_279;
-    wire equal_285 = bits_283_d1 == 10'd0;
-    wire not_286 = ~equal_285;
-    wire equal_290 = 9'd0 == bits_289_d1;
-    wire not_291 = ~equal_290;
-    wire [3:0] select_282 = not_280_d1 ? 4'd1 : 4'd0;
-    wire [3:0] select_288 = not_286_d1 ? 4'd2 : select_282;
-    wire [3:0] select_293 = not_291_d1 ? 4'd3 : select_288;
-    wire equal_296 = bits_294_d1 == 8'd0;
-    wire not_297 = ~equal_296;
-    wire equal_302 = bits_300_d1 == 7'd0;
-    wire not_303 = ~equal_302;
-    wire equal_308 = bits_306_d1 == 6'd0;
-    wire not_309 = ~equal_308;
-    wire [3:0] select_299 = not_297_d1 ? 4'd4 : select_293_d1;
-    wire [3:0] select_305 = not_303_d1 ? 4'd5 : select_299;
-    wire [3:0] select_311 = not_309_d1 ? 4'd6 : select_305;
-    wire equal_314 = bits_312_d1 == 5'd0;
-    wire not_315 = ~equal_314;
-    wire equal_319 = 4'd0 == bits_318_d1;
-    wire not_320 = ~equal_319;
-    wire equal_325 = or_275[25:23] == 3'd0;
-    wire not_326 = ~equal_325_d1;
-    wire [3:0] select_317 = not_315_d1 ? 4'd7 : select_311_d1;
-    wire [3:0] select_322 = not_320_d1 ? 4'd8 : select_317;
-    wire [3:0] select_328 = not_326 ? 4'd9 : select_322;
-    wire equal_331 = or_275[25:24] == 2'd0;
-    wire equal_337 = ~or_275[25];
-    wire not_338 = ~equal_337_d1;
-    wire not_332 = ~equal_331_d1;
-    wire [3:0] select_334 = not_332 ? 4'd10 : select_328_d1;
-    wire [3:0] shift = not_338 ? 4'd11 : select_334;
-    wire [9:0] add_343 = {6'd0, shift_d1} + 10'd4;
-    wire lt_345 = add_343_d1 < delay_10_from_6_out[10:1];
-    wire [9:0] sub_346 = delay_10_from_6_out[10:1] - add_343_d1;
-    wire [9:0] select_347 = lt_345 ? sub_346 : 10'd0;
-    wire [9:0] joined_10 = {2'd0, mul_f24_ftz_unit_copy4_y[22:15]};
-    wire [9:0] max_360 = (select_347_d1 < delay_12_from_6_out[9:0]) ? delay_12_from_6_out[9:0] : select_347_d1;
-    wire [9:0] max_361 = (resize_351_d13 < max_360_d1) ? max_360_d1 : resize_351_d13;
-    wire [9:0] max_362 = (resize_353_d13 < max_361_d1) ? max_361_d1 : resize_353_d13;
-    wire [9:0] max_363 = (resize_355_d13 < max_362_d1) ? max_362_d1 : resize_355_d13;
-    wire [9:0] max_364 = (resize_357_d11 < max_363_d1) ? max_363_d1 : resize_357_d11;
-    wire [9:0] exponent = (resize_359_d11 < max_364_d1) ? max_364_d1 : resize_359_d11;
-    wire [9:0] add_367 = delay_12_from_6_out[9:0] + 10'd126;
-    wire lt_368 = exponent_d1 < add_367_d1;
-    wire and_371 = lt_368 & delay_13_from_6_out[0];
-    wire [9:0] sub_372 = add_367_d1 - exponent_d1;
-    wire [9:0] select_373 = and_371_d1 ? sub_372 : 10'd0;
-    wire [17:0] joined_11 = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
-    wire not_382 = ~to_fixed_f24_ftz_s17q16_unit_y[16];
-    wire [17:0] add_386 = joined_11 + {17'd0, not_382};
-    wire [17:0] min_389 = ($signed(shr_388_d1) < $signed(18'h7fff)) ? shr_388_d1 : 18'h7fff;
-    wire [9:0] add_391 = delay_12_from_6_out[19:10] + 10'd126;
-    wire lt_392 = exponent_d1 < add_391_d1;
-    wire and_395 = lt_392 & delay_13_from_6_out[1];
-    wire [9:0] sub_396 = add_391_d1 - exponent_d1;
-    wire [9:0] select_397 = and_395_d1 ? sub_396 : 10'd0;
-    wire not_406 = not_382;
-    wire [17:0] add_410 = joined_11 + {17'd0, not_406};
-    wire [17:0] min_412 = ($signed(shr_411_d1) < $signed(18'h7fff)) ? shr_411_d1 : 18'h7fff;
-    wire [9:0] add_414 = delay_12_from_6_out[29:20] + 10'd126;
-    wire lt_415 = exponent_d1 < add_414_d1;
-    wire and_418 = lt_415 & delay_13_from_6_out[2];
-    wire [9:0] sub_419 = add_414_d1 - exponent_d1;
-    wire [9:0] select_420 = and_418_d1 ? sub_419 : 10'd0;
-    wire not_429 = not_382;
-    wire [17:0] add_433 = joined_11 + {17'd0, not_429};
-    wire [17:0] min_435 = ($signed(shr_434_d1) < $signed(18'h7fff)) ? shr_434_d1 : 18'h7fff;
-    wire [9:0] add_437 = delay_11_from_6_out[9:0] + 10'd126;
-    wire lt_438 = exponent_d1 < add_437_d1;
-    wire and_441 = lt_438 & delay_13_from_6_out[3];
-    wire [9:0] sub_442 = add_437_d1 - exponent_d1;
-    wire [9:0] select_443 = and_441_d1 ? sub_442 : 10'd0;
-    wire not_452 = not_382;
-    wire [17:0] add_456 = joined_11 + {17'd0, not_452};
-    wire [17:0] min_458 = ($signed(shr_457_d1) < $signed(18'h7fff)) ? shr_457_d1 : 18'h7fff;
-    wire [9:0] add_460 = delay_10_from_6_out[20:11] + 10'd126;
-    wire lt_461 = exponent_d1 < add_460_d1;
-    wire and_464 = lt_461 & delay_11_from_6_out[10];
-    wire [9:0] sub_465 = add_460_d1 - exponent_d1;
-    wire [9:0] select_466 = and_464_d1 ? sub_465 : 10'd0;
-    wire not_475 = not_382;
-    wire [17:0] add_479 = joined_11 + {17'd0, not_475};
-    wire [17:0] min_481 = ($signed(shr_480_d1) < $signed(18'h7fff)) ? shr_480_d1 : 18'h7fff;
-    wire [9:0] add_483 = delay_10_from_1_out + 10'd126;
-    wire lt_484 = exponent_d1 < add_483_d1;
-    wire and_487 = lt_484 & delay_11_from_1_out[0];
-    wire [9:0] sub_488 = add_483_d1 - exponent_d1;
-    wire [9:0] select_489 = and_487_d1 ? sub_488 : 10'd0;
-    wire not_498 = not_382;
-    wire [17:0] add_502 = joined_11 + {17'd0, not_498};
-    wire [17:0] min_504 = ($signed(shr_503_d1) < $signed(18'h7fff)) ? shr_503_d1 : 18'h7fff;
-    wire [9:0] add_506 = add_343_d1 + exponent_d1;
-    wire [9:0] add_507 = resize_344_d11 + 10'd126;
-    wire lt_508 = add_506 < add_507;
-    wire [9:0] sub_512 = add_507 - add_506;
-    wire and_511 = lt_508_d1 & delay_11_from_6_out[27];
-    wire [9:0] select_513 = and_511 ? sub_512_d1 : 10'd0;
-    wire [21:0] joined_12 = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
-    wire not_521 = ~to_fixed_f24_ftz_s21q20_unit_y[20];
-    wire [21:0] add_525 = joined_12 + {21'd0, not_521};
-    wire [21:0] min_528 = ($signed(shr_527_d1) < $signed(22'h7ffff)) ? shr_527_d1 : 22'h7ffff;
-    wire [9:0] joined_13 = {2'd0, mul_f24_ftz_unit_y[22:15]};
-    wire equal_531 = joined_13 == 10'd255;
-    wire [9:0] joined_14 = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire equal_532 = joined_14 == 10'd255;
-    wire or_533 = equal_531 | equal_532;
-    wire [9:0] joined_15 = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire equal_534 = joined_15 == 10'd255;
-    wire or_535 = or_533_d1 | equal_534_d1;
-    wire equal_536 = resize_355_d1 == 10'd255;
-    wire or_537 = or_535 | equal_536;
-    wire [9:0] joined_16 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire equal_538 = joined_16 == 10'd255;
-    wire or_539 = or_537_d2 | equal_538;
-    wire [9:0] joined_17 = {2'd0, add_f24_ftz_unit_copy5_y[22:15]};
-    wire equal_540 = joined_17 == 10'd255;
-    wire or_541 = or_539_d1 | equal_540;
-    wire equal_542 = joined_8 == 10'd255;
-    wire lt_545 = $signed(resize_529_d1) < $signed(20'd32);
-    wire lt_547 = $signed(20'hfffe0) < $signed(resize_529_d1);
-    wire vanishes = lt_545 & lt_547;
-    wire not_549 = ~placed_d2;
-    wire edge_on = equal_160_d1 | lt_163_d1;
-    wire or_550 = edge_on | not_549_d1;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_20 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
-    wire [23:0] choice_22 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
-    wire [23:0] choice_26 = phase[1] ? choice_24 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
-    wire [23:0] choice_30 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_31 = phase[1] ? choice_30 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
-    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
-    wire [23:0] choice_35 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_36 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
-    wire [23:0] choice_37 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
-    wire [23:0] choice_38 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_39 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
-    wire [23:0] choice_40 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_41 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
-    wire [23:0] choice_42 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
-    wire [23:0] choice_44 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_45 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] joined_46 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_47 = phase[1] ? (phase[0] ? joined_46 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_48 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_49 = phase[0] ? joined_48 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_50 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_51 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_52 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_51;
-    wire [23:0] choice_53 = phase[1] ? (phase[0] ? filter_radius : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_54 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_55 = phase[1] ? (phase[0] ? joined_54 : neg_125_d1) : choice_35;
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? add_46_d7 : joined_5) : phase[0] ? joined_46 : mul_55_d1;
-    wire [23:0] choice_57 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_48) : choice_57;
-    wire [23:0] choice_59 = phase[0] ? delay_5_from_5_out[23:0] : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_60 = phase[1] ? choice_59 : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_61 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
-    wire [23:0] choice_62 = phase[1] ? choice_61 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
-    wire [23:0] joined_63 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_64 = phase[1] ? (phase[0] ? depth_a : add_59_d4) : phase[0] ? joined_63 : mul_120_d1;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? select_188_d2 : filter_radius) : filter_radius;
-    wire [23:0] choice_66 = phase[1] ? add_111_d4 : phase[0] ? mul_98_d1 : add_176_d1;
-    wire [23:0] joined_67 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_68 = phase[1] ? (phase[0] ? joined_67 : add_111_d8) : add_111_d8;
-    wire [23:0] choice_69 = phase[1] ? joined_46 : phase[0] ? joined_54 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_70 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : mul_169_d1;
-    wire [23:0] choice_71 = phase[1] ? mul_169_d1 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_72 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : neg_171_d1) : neg_171_d1;
-    wire [23:0] choice_73 = phase[1] ? neg_171_d1 : phase[0] ? joined_7 : epsilon_bias;
-    wire [23:0] choice_74 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
-    wire [23:0] choice_75 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_76 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] choice_77 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] choice_78 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_79 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] choice_80 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_66_d1;
-    wire [23:0] choice_81 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_82 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_83 = phase[1] ? (phase[0] ? reinterpret_403_d1 : reinterpret_379_d1) : reinterpret_495_d1;
-    wire [23:0] choice_84 = phase[1] ? (phase[0] ? reinterpret_495_d1 : reinterpret_472_d1) : phase[0] ? reinterpret_449_d1 : reinterpret_426_d1;
-    wire [23:0] choice_85 = phase[1] ? max_569_d1 : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [25:0] select_235 = placed_d2 ? resize_234_d1 : 26'h2000000;
-    wire [25:0] select_224 = placed_d2 ? resize_223_d1 : 26'h2000000;
-    wire equal_485 = 10'd0 == joined_17;
-    wire not_486 = ~equal_485;
-    wire odd = or_541_d1 | equal_542_d1;
-    wire or_551 = odd | or_550_d1;
-    wire equal_509 = 10'd0 == joined_8;
-    wire not_510 = ~equal_509;
-    wire equal_462 = 10'd0 == joined_16;
-    wire not_463 = ~equal_462;
-    wire equal_439 = 10'd0 == joined_10;
-    wire not_440 = ~equal_439;
-    wire equal_416 = 10'd0 == joined_15;
-    wire not_417 = ~equal_416;
-    wire equal_393 = 10'd0 == joined_14;
-    wire not_394 = ~equal_393;
-    wire equal_369 = 10'd0 == joined_13;
-    wire not_370 = ~equal_369;
-    wire xor_199 = scale_x[23] ^ scale_y[23];
-    wire xor_200 = bits_198_d1 ^ xor_199;
-    wire or_201 = edge_on | xor_200;
+    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : center_depth_d3;
+    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_lesser_d1;
+    wire visible_both = occupied_x_d1 & center_depth_up_to_one_d4;
+    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both_d1;
+    wire visible = occupied_y_and_visible_both & delay_9_from_7_out;
+    wire end_or_visible = delay_17_from_0_out | visible;
+    wire [9:0] delta_bits_is_255_bits = {2'd0, add_f24_ftz_unit_y[22:15]};
+    wire center_x_bits_below_140 = delta_bits_is_255_bits < 10'd140;
+    wire center_y_bits_below_140 = center_x_bits_below_140;
+    wire placed = center_x_bits_below_140_d1 & center_y_bits_below_140;
+    wire [27:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
+    wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s27q13_unit_y[26];
+    wire [27:0] center_x_out_sum = center_y_out_sum_bits + {27'd0, not_center_x_fixed_sign};
+    wire [27:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(28'h1ffffff)) ? center_x_out_shifted_d1 : 28'h1ffffff;
+    wire [25:0] center_x_out_d9 = delay_9_from_1_out[25:0];
+    wire not_center_y_fixed_sign = not_center_x_fixed_sign;
+    wire [27:0] center_y_out_sum = center_y_out_sum_bits + {27'd0, not_center_y_fixed_sign};
+    wire [27:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(28'h1ffffff)) ? center_y_out_shifted_d1 : 28'h1ffffff;
+    wire [25:0] center_y_out_d9 = delay_9_from_1_out[51:26];
+    wire [8:0] first_x = first_x_chosen[8:0];
+    wire [26:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
+    wire [26:0] last_x_plus_1 = 27'd1 + {18'd0, last_x_d1};
+    wire [26:0] shift_difference_copy2 = shift_shifted_d1_copy2 - center_x_out_d1;
+    wire [26:0] not_shift_difference = ~shift_difference_d1;
+    wire [26:0] shift_chosen = shift_difference_d1[26] ? not_shift_difference : shift_difference_d1;
+    wire [26:0] not_shift_difference_copy2 = ~shift_difference_copy2;
+    wire [8:0] first_y = first_y_chosen[8:0];
+    wire [26:0] shift_difference_copy3 = shift_shifted_d1_copy3 - center_y_out_d1;
+    wire [26:0] last_y_plus_1 = 27'd1 + {18'd0, last_y_d1};
+    wire [26:0] shift_difference_copy4 = shift_shifted_d1_copy4 - center_y_out_d1;
+    wire [26:0] not_shift_difference_copy3 = ~shift_difference_d1_copy3;
+    wire [26:0] shift_chosen_copy3 = shift_difference_d1_copy3[26] ? not_shift_difference_copy3 : shift_difference_d1_copy3;
+    wire [26:0] shift_chosen_copy2 = shift_difference_d1_copy2[26] ? not_shift_difference_d1 : shift_difference_d1_copy2;
+    wire [25:0] shift_either = shift_chosen_bits_d1 | shift_chosen_copy2[25:0];
+    wire [25:0] shift_either_copy2 = shift_either | shift_chosen_bits_d1_copy2;
+    wire [26:0] not_shift_difference_copy4 = ~shift_difference_copy4;
+    wire [26:0] shift_chosen_copy4 = shift_difference_d1_copy4[26] ? not_shift_difference_d1_copy2 : shift_difference_d1_copy4;
+    wire [25:0] shift_either_copy3 = shift_either_d1 | shift_chosen_copy4[25:0];
+    wire shift_either_bits_is_zero = shift_either_bits_d1 == 11'd0;
+    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
+    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy2 == 10'd0;
+    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
+    wire zero_is_shift_either_bits = 9'd0 == shift_either_bits_d1_copy3;
+    wire not_zero_is_shift_either_bits = ~zero_is_shift_either_bits;
+    wire [3:0] shift_chosen_copy5 = not_shift_either_bits_is_zero_d1 ? 4'd1 : 4'd0;
+    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd2 : shift_chosen_copy5;
+    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1 ? 4'd3 : shift_chosen_copy6;
+    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy4 == 8'd0;
+    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
+    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy5 == 7'd0;
+    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
+    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy6 == 6'd0;
+    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
+    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd4 : shift_chosen_d1;
+    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd5 : shift_chosen_copy8;
+    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd6 : shift_chosen_copy9;
+    wire shift_either_bits_is_zero_copy6 = shift_either_bits_d1_copy7 == 5'd0;
+    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_copy6;
+    wire zero_is_shift_either_bits_copy2 = 4'd0 == shift_either_bits_d1_copy8;
+    wire not_zero_is_shift_either_bits_copy2 = ~zero_is_shift_either_bits_copy2;
+    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[25:23] == 3'd0;
+    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1;
+    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy6 ? 4'd7 : shift_chosen_d1_copy2;
+    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd8 : shift_chosen_copy11;
+    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy7 ? 4'd9 : shift_chosen_copy12;
+    wire shift_either_bits_is_zero_copy8 = shift_either_copy3[25:24] == 2'd0;
+    wire shift_either_sign_is_zero = ~shift_either_copy3[25];
+    wire not_shift_either_sign_is_zero = ~shift_either_sign_is_zero_d1;
+    wire not_shift_either_bits_is_zero_copy8 = ~shift_either_bits_is_zero_d1_copy2;
+    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy8 ? 4'd10 : shift_chosen_d1_copy3;
+    wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
+    wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
+    wire [9:0] delta_bits_d10 = delay_10_from_6_out[10:1];
+    wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d10;
+    wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d10 - shift_plus_4_d1;
+    wire [9:0] exponent_chosen = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
+    wire [9:0] b_x_bits_d12 = delay_12_from_6_out[19:10];
+    wire [9:0] a_y_bits_d12 = delay_12_from_6_out[29:20];
+    wire [9:0] b_y_bits_d1_bits = {2'd0, mul_f24_ftz_unit_copy4_y[22:15]};
+    wire [9:0] b_y_bits_d12 = delay_11_from_6_out[9:0];
+    wire [9:0] mx_bits_d10 = delay_10_from_6_out[20:11];
+    wire [9:0] a_x_bits_d12 = delay_12_from_6_out[9:0];
+    wire [9:0] exponent_greater = (exponent_chosen_d1 < a_x_bits_d12) ? a_x_bits_d12 : exponent_chosen_d1;
+    wire [9:0] exponent_greater_copy2 = (b_x_bits_d13 < exponent_greater_d1) ? exponent_greater_d1 : b_x_bits_d13;
+    wire [9:0] exponent_greater_copy3 = (a_y_bits_d13 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : a_y_bits_d13;
+    wire [9:0] exponent_greater_copy4 = (b_y_bits_d13 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : b_y_bits_d13;
+    wire [9:0] exponent_greater_copy5 = (mx_bits_d11 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d11;
+    wire [9:0] exponent = (my_bits_d11 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d11;
+    wire [9:0] a_x_bits_plus_126 = a_x_bits_d12 + 10'd126;
+    wire ax_out_in_order = exponent_d1 < a_x_bits_plus_126_d1;
+    wire not_zero_is_a_x_bits_d13 = delay_13_from_6_out[0];
+    wire ax_out_both = ax_out_in_order & not_zero_is_a_x_bits_d13;
+    wire a_x_sign_d12 = delay_12_from_5_out[0];
+    wire [9:0] ax_out_difference = a_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
+    wire [14:0] a_x_bits_d12_copy2 = delay_12_from_5_out[15:1];
+    wire [17:0] ax_out_sum_bits = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
+    wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s17q16_unit_y[16];
+    wire [17:0] ax_out_sum = ax_out_sum_bits + {17'd0, not_ax_out_joined_fixed_sign};
+    wire [17:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(18'h7fff)) ? ax_out_shifted_d1 : 18'h7fff;
+    wire [9:0] b_x_bits_plus_126 = b_x_bits_d12 + 10'd126;
+    wire bx_out_in_order = exponent_d1 < b_x_bits_plus_126_d1;
+    wire not_zero_is_b_x_bits_d13 = delay_13_from_6_out[1];
+    wire bx_out_both = bx_out_in_order & not_zero_is_b_x_bits_d13;
+    wire b_x_sign_d12 = delay_12_from_5_out[16];
+    wire [9:0] bx_out_difference = b_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
+    wire [14:0] b_x_bits_d12_copy2 = delay_12_from_5_out[31:17];
+    wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [17:0] bx_out_sum = ax_out_sum_bits + {17'd0, not_bx_out_joined_fixed_sign};
+    wire [17:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(18'h7fff)) ? bx_out_shifted_d1 : 18'h7fff;
+    wire [9:0] a_y_bits_plus_126 = a_y_bits_d12 + 10'd126;
+    wire ay_out_in_order = exponent_d1 < a_y_bits_plus_126_d1;
+    wire not_zero_is_a_y_bits_d13 = delay_13_from_6_out[2];
+    wire ay_out_both = ay_out_in_order & not_zero_is_a_y_bits_d13;
+    wire a_y_sign_d12 = delay_12_from_5_out[32];
+    wire [9:0] ay_out_difference = a_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
+    wire [14:0] a_y_bits_d12_copy2 = delay_12_from_5_out[47:33];
+    wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [17:0] ay_out_sum = ax_out_sum_bits + {17'd0, not_ay_out_joined_fixed_sign};
+    wire [17:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(18'h7fff)) ? ay_out_shifted_d1 : 18'h7fff;
+    wire [9:0] b_y_bits_plus_126 = b_y_bits_d12 + 10'd126;
+    wire by_out_in_order = exponent_d1 < b_y_bits_plus_126_d1;
+    wire not_zero_is_b_y_bits_d13 = delay_13_from_6_out[3];
+    wire by_out_both = by_out_in_order & not_zero_is_b_y_bits_d13;
+    wire b_y_sign_d12 = delay_12_from_5_out[48];
+    wire [9:0] by_out_difference = b_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
+    wire [14:0] b_y_bits_d12_copy2 = delay_12_from_5_out[63:49];
+    wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [17:0] by_out_sum = ax_out_sum_bits + {17'd0, not_by_out_joined_fixed_sign};
+    wire [17:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(18'h7fff)) ? by_out_shifted_d1 : 18'h7fff;
+    wire [9:0] mx_bits_plus_126 = mx_bits_d10 + 10'd126;
+    wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
+    wire not_zero_is_mx_bits_d11 = delay_11_from_6_out[10];
+    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d11;
+    wire mx_sign_d11 = delay_11_from_6_out[11];
+    wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
+    wire [14:0] mx_bits_d11_copy2 = delay_11_from_6_out[26:12];
+    wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [17:0] mx_out_sum = ax_out_sum_bits + {17'd0, not_mx_out_joined_fixed_sign};
+    wire [17:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(18'h7fff)) ? mx_out_shifted_d1 : 18'h7fff;
+    wire [9:0] my_bits_plus_126 = delay_10_from_1_out + 10'd126;
+    wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
+    wire not_zero_is_my_bits_d11 = delay_11_from_1_out[0];
+    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d11;
+    wire my_sign_d11 = delay_11_from_1_out[1];
+    wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
+    wire [14:0] my_bits_d11_copy2 = delay_11_from_1_out[16:2];
+    wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [17:0] my_out_sum = ax_out_sum_bits + {17'd0, not_my_out_joined_fixed_sign};
+    wire [17:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(18'h7fff)) ? my_out_shifted_d1 : 18'h7fff;
+    wire [9:0] shift_plus_4_plus_exponent = shift_plus_4_d1 + exponent_d1;
+    wire [9:0] delta_bits_plus_126 = delta_bits_d11 + 10'd126;
+    wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
+    wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
+    wire delta_sign_d11 = delay_10_from_6_out[0];
+    wire not_zero_is_delta_bits_d11 = delay_11_from_6_out[27];
+    wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d11;
+    wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
+    wire [14:0] delta_bits_d11_copy2 = delay_11_from_6_out[42:28];
+    wire [21:0] vanishes_sum_bits = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
+    wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s21q20_unit_y[20];
+    wire [21:0] vanishes_sum = vanishes_sum_bits + {21'd0, not_vanishes_joined_fixed_sign};
+    wire [21:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(22'h7ffff)) ? vanishes_shifted_d1 : 22'h7ffff;
+    wire [9:0] a_x_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_y[22:15]};
+    wire a_x_bits_is_255 = a_x_bits_is_255_bits == 10'd255;
+    wire [9:0] b_x_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire b_x_bits_is_255 = b_x_bits_is_255_bits == 10'd255;
+    wire odd_either = a_x_bits_is_255 | b_x_bits_is_255;
+    wire [9:0] a_y_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire a_y_bits_is_255 = a_y_bits_is_255_bits == 10'd255;
+    wire odd_either_or_a_y_bits_is_255 = odd_either_d1 | a_y_bits_is_255_d1;
+    wire b_y_bits_is_255 = b_y_bits_d1 == 10'd255;
+    wire odd_either_copy2 = odd_either_or_a_y_bits_is_255 | b_y_bits_is_255;
+    wire [9:0] mx_bits_is_255_bits = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire mx_bits_is_255 = mx_bits_is_255_bits == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_d2 | mx_bits_is_255;
+    wire [9:0] delay_10_from_1_data_bits = {2'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire my_bits_is_255 = delay_10_from_1_data_bits == 10'd255;
+    wire odd_either_copy3 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255;
+    wire delta_bits_is_255 = delta_bits_is_255_bits == 10'd255;
+    wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(20'd32);
+    wire vanishes_in_order_copy3 = $signed(20'hfffe0) < $signed(vanishes_lesser_d1);
+    wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
+    wire not_placed = ~placed_d2;
+    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on_or_not_placed = edge_on | not_placed_d1;
+    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : alpha_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? v_x_d1 : mul_f24_ftz_unit_y) : phase[0] ? tangent1_z_d3 : t_x_sum_d2;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? b_x_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? beta_d3 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? a_x_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? tangent2_z_d3 : a_x_squared_plus_b_x_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d6) : phase[0] ? b_x_d1 : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? b_x_d1 : tangent1_y_d3) : phase[0] ? center_x_d3 : t_y_sum_d2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y) : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_b_depth_d1) : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_y_d1 : tangent2_y_d3) : phase[0] ? tangent1_x_d3 : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? b_y_d1 : alpha_d3) : phase[0] ? recip_f24_ftz_unit_y : q_d4;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : half_depth_d1) : phase[0] ? alpha_d3 : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? b_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? b_y_d1 : v_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : beta_d3) : phase[0] ? beta_d3 : a_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? center_y_d3 : root_of_q_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : a_x_d1) : phase[0] ? a_x_d1 : b_y_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? a_x_times_b_y_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : center_x_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_filter_radius : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_y_minus_t_y_d4) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_minus_t_x_d4) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] minus_mul_f24_ftz_unit_copy5_y = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy5_y : minus_h_y_d1) : mul_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : minus_filter_radius) : phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? b_depth_d5 : sqrt_f24_ftz_unit_y) : phase[0] ? r_times_tangent2_x_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_y_d9;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy3_b_choice : phase[0] ? mul_f24_ftz_unit_copy5_y : center_y_minus_t_y_d4;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[0] ? {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? depth_a : center_x_minus_t_x_d4) : add_f24_ftz_unit_copy3_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : filter_radius) : filter_radius;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? center_y_d4 : phase[0] ? r_times_tangent1_y_d1 : center_depth_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]} : center_y_d8;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : alpha_times_b_x_d1) : alpha_times_b_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? alpha_times_b_x_d1 : phase[0] ? r_times_tangent2_y_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : minus_beta_times_a_x_d1) : minus_beta_times_a_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? minus_beta_times_a_x_d1 : phase[0] ? minus_mul_f24_ftz_unit_copy6_y : epsilon_bias;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_y_greater_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? center_x_minus_filter_radius_d1 : abs_b_depth_d2;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : filter_radius_plus_center_x_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = phase[1] ? (phase[0] ? bx_out_joined_d1 : ax_out_joined_d1) : my_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = phase[1] ? (phase[0] ? my_out_joined_d1 : mx_out_joined_d1) : phase[0] ? by_out_joined_d1 : ay_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? depth_high_out_greater_d1 : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [25:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 26'h2000000;
+    wire [25:0] center_x_out = placed_d2 ? center_x_out_lesser_d1 : 26'h2000000;
+    wire zero_is_my_bits = 10'd0 == delay_10_from_1_data_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
+    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d1;
+    wire zero_is_delta_bits = 10'd0 == delta_bits_is_255_bits;
+    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
+    wire zero_is_mx_bits = 10'd0 == mx_bits_is_255_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire zero_is_b_y_bits = 10'd0 == b_y_bits_d1_bits;
+    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
+    wire zero_is_a_y_bits = 10'd0 == a_y_bits_is_255_bits;
+    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
+    wire zero_is_b_x_bits = 10'd0 == b_x_bits_is_255_bits;
+    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
+    wire zero_is_a_x_bits = 10'd0 == a_x_bits_is_255_bits;
+    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire visible_unequal = scale_x[23] ^ scale_y[23];
+    wire visible_unequal_copy2 = delta_sign_d1 ^ visible_unequal;
+    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -5623,13 +5418,11 @@ module splat_setup (
     } = queue_out_data;
 
     stream_skid_w317 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d21, select_224_d13, select_235_d13, select_554, select_555, select_556, select_557, select_559,
-            select_560, select_561, shift_d3, delay_7_from_1_out, delay_5_from_5_out[47:24], to_fixed_570_d4,
-            delay_21_from_0_out[11:0], delay_21_from_0_out[23:12], delay_21_from_0_out[35:24], delay_5_from_3_out,
-            resize_91_d5, delay_5_from_0_out, resize_148_d4
+            end_d21, center_x_out_d13, center_y_out_d13, ax_out, bx_out, ay_out, by_out, delta_out, mx_out,
+            my_out, shift_d3, delay_7_from_1_out, depth_low_out_d5, depth_high_out_d4, attribute_0_d21,
+            attribute_1_d21, attribute_2_d21, delay_5_from_3_out, last_x_d5, delay_5_from_0_out, last_y_d4
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -5737,7 +5530,7 @@ module splat_setup (
     );
 
     float_to_fixed_s3_f24ftz_w21_f20_signed to_fixed_f24_ftz_s21q20_unit (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_518_d1), .y(to_fixed_f24_ftz_s21q20_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(vanishes_joined_d1), .y(to_fixed_f24_ftz_s21q20_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
@@ -5824,119 +5617,119 @@ module splat_setup (
             end_d19 <= end_d18;
             end_d20 <= end_d19;
             end_d21 <= end_d20;
-            reinterpret_16_d1 <= in_tangent1_z;
-            reinterpret_16_d2 <= reinterpret_16_d1;
-            reinterpret_16_d3 <= reinterpret_16_d2;
-            reinterpret_18_d1 <= in_tangent2_z;
-            reinterpret_18_d2 <= reinterpret_18_d1;
-            reinterpret_18_d3 <= reinterpret_18_d2;
-            add_22_d1 <= add_f24_ftz_unit_y;
-            add_22_d2 <= add_22_d1;
-            add_22_d3 <= add_22_d2;
-            add_22_d4 <= add_22_d3;
-            reinterpret_30_d1 <= in_center_x;
-            reinterpret_30_d2 <= reinterpret_30_d1;
-            reinterpret_30_d3 <= reinterpret_30_d2;
-            reinterpret_32_d1 <= in_tangent1_x;
-            reinterpret_32_d2 <= reinterpret_32_d1;
-            reinterpret_32_d3 <= reinterpret_32_d2;
-            reinterpret_38_d1 <= in_tangent2_x;
-            reinterpret_38_d2 <= reinterpret_38_d1;
-            reinterpret_38_d3 <= reinterpret_38_d2;
-            resize_91_d1 <= sub_89[8:0];
-            resize_91_d2 <= resize_91_d1;
-            resize_91_d3 <= resize_91_d2;
-            resize_91_d4 <= resize_91_d3;
-            resize_91_d5 <= resize_91_d4;
-            lt_92_d1 <= lt_92;
-            reinterpret_95_d1 <= in_center_y;
-            reinterpret_95_d2 <= reinterpret_95_d1;
-            reinterpret_95_d3 <= reinterpret_95_d2;
-            reinterpret_97_d1 <= in_tangent1_y;
-            reinterpret_97_d2 <= reinterpret_97_d1;
-            reinterpret_97_d3 <= reinterpret_97_d2;
-            reinterpret_103_d1 <= in_tangent2_y;
-            reinterpret_103_d2 <= reinterpret_103_d1;
-            reinterpret_103_d3 <= reinterpret_103_d2;
-            min_129_d1 <= min_f24_ftz_unit_y;
-            select_143_d1 <= select_143;
-            abs_180_d1 <= {1'd0, mul_174_d6[22:0]};
-            abs_180_d2 <= abs_180_d1;
-            mul_183_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_183_d2 <= mul_183_d1;
-            mul_183_d3 <= mul_183_d2;
-            shr_221_d1 <= {add_219[27], add_219[27:1]};
-            reinterpret_260_d1 <= {18'd0, select_143[8:0]} << 12;
-            select_293_d1 <= select_293;
-            max_362_d1 <= max_362;
-            resize_505_d1 <= min_504[15:0];
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
+            tangent1_z_d3 <= tangent1_z_d2;
+            tangent2_z_d1 <= in_tangent2_z;
+            tangent2_z_d2 <= tangent2_z_d1;
+            tangent2_z_d3 <= tangent2_z_d2;
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            center_x_d1 <= in_center_x;
+            center_x_d2 <= center_x_d1;
+            center_x_d3 <= center_x_d2;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_x_d2 <= tangent1_x_d1;
+            tangent1_x_d3 <= tangent1_x_d2;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_x_d2 <= tangent2_x_d1;
+            tangent2_x_d3 <= tangent2_x_d2;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            last_x_d3 <= last_x_d2;
+            last_x_d4 <= last_x_d3;
+            last_x_d5 <= last_x_d4;
+            occupied_x_d1 <= occupied_x;
+            center_y_d1 <= in_center_y;
+            center_y_d2 <= center_y_d1;
+            center_y_d3 <= center_y_d2;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_y_d2 <= tangent1_y_d1;
+            tangent1_y_d3 <= tangent1_y_d2;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_y_d2 <= tangent2_y_d1;
+            tangent2_y_d3 <= tangent2_y_d2;
+            first_y_lesser_d1 <= min_f24_ftz_unit_y;
+            first_y_chosen_d1 <= first_y_chosen;
+            abs_b_depth_d1 <= {1'd0, b_depth_d6[22:0]};
+            abs_b_depth_d2 <= abs_b_depth_d1;
+            spread_half_d1 <= mul_f24_ftz_unit_copy4_y;
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
+            center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
+            shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
+            shift_chosen_d1 <= shift_chosen_copy7;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[15:0];
         end
         if (load_5) begin
-            recip_15_d1 <= recip_f24_ftz_unit_y;
-            add_111_d1 <= add_f24_ftz_unit_y;
-            add_111_d2 <= add_111_d1;
-            add_111_d3 <= add_111_d2;
-            add_111_d4 <= add_111_d3;
-            add_111_d5 <= add_111_d4;
-            add_111_d6 <= add_111_d5;
-            add_111_d7 <= add_111_d6;
-            add_111_d8 <= add_111_d7;
-            add_111_d9 <= add_111_d8;
-            mul_174_d6 <= delay_5_from_5_out[23:0];
-            sqrt_181_d1 <= sqrt_f24_ftz_unit_y;
+            r_d1 <= recip_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            center_y_d3_copy2 <= center_y_d2_copy2;
+            center_y_d4 <= center_y_d3_copy2;
+            center_y_d5 <= center_y_d4;
+            center_y_d6 <= center_y_d5;
+            center_y_d7 <= center_y_d6;
+            center_y_d8 <= center_y_d7;
+            center_y_d9 <= center_y_d8;
+            b_depth_d6 <= b_depth_d5;
+            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
             placed_d1 <= placed;
             placed_d2 <= placed_d1;
-            bits_250_d1 <= select_249[25:0];
-            resize_261_d1 <= {delay_9_from_1_out[51], delay_9_from_1_out[51:26]};
-            sub_265_d1 <= sub_265;
-            not_272_d1 <= not_272;
-            select_347_d1 <= select_347;
-            add_367_d1 <= add_367;
-            reinterpret_379_d1 <= {delay_12_from_5_out[0], select_373[7:0], delay_12_from_5_out[15:1]};
-            add_391_d1 <= add_391;
-            reinterpret_403_d1 <= {delay_12_from_5_out[16], select_397[7:0], delay_12_from_5_out[31:17]};
-            add_414_d1 <= add_414;
-            reinterpret_426_d1 <= {delay_12_from_5_out[32], select_420[7:0], delay_12_from_5_out[47:33]};
-            resize_436_d1 <= min_435[15:0];
-            add_437_d1 <= add_437;
-            reinterpret_449_d1 <= {delay_12_from_5_out[48], select_443[7:0], delay_12_from_5_out[63:49]};
-            shr_457_d1 <= {add_456[17], add_456[17:1]};
-            add_460_d1 <= add_460;
-            reinterpret_472_d1 <= {delay_11_from_6_out[11], select_466[7:0], delay_11_from_6_out[26:12]};
-            add_483_d1 <= add_483;
-            reinterpret_495_d1 <= {delay_11_from_1_out[1], select_489[7:0], delay_11_from_1_out[16:2]};
-            reinterpret_518_d1 <= {delay_10_from_6_out[0], select_513[7:0], delay_11_from_6_out[42:28]};
+            shift_chosen_bits_d1 <= shift_chosen[25:0];
+            center_y_out_d1 <= {center_y_out_d9[25], center_y_out_d9};
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+            exponent_chosen_d1 <= exponent_chosen;
+            a_x_bits_plus_126_d1 <= a_x_bits_plus_126;
+            ax_out_joined_d1 <= {a_x_sign_d12, ax_out_chosen[7:0], a_x_bits_d12_copy2};
+            b_x_bits_plus_126_d1 <= b_x_bits_plus_126;
+            bx_out_joined_d1 <= {b_x_sign_d12, bx_out_chosen[7:0], b_x_bits_d12_copy2};
+            a_y_bits_plus_126_d1 <= a_y_bits_plus_126;
+            ay_out_joined_d1 <= {a_y_sign_d12, ay_out_chosen[7:0], a_y_bits_d12_copy2};
+            ay_out_lesser_d1 <= ay_out_lesser[15:0];
+            b_y_bits_plus_126_d1 <= b_y_bits_plus_126;
+            by_out_joined_d1 <= {b_y_sign_d12, by_out_chosen[7:0], b_y_bits_d12_copy2};
+            by_out_shifted_d1 <= {by_out_sum[17], by_out_sum[17:1]};
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11_copy2};
+            vanishes_joined_d1 <= {delta_sign_d11, vanishes_chosen[7:0], delta_bits_d11_copy2};
         end
         if (load_3) begin
-            mul_17_d1 <= mul_f24_ftz_unit_y;
-            mul_17_d2 <= mul_17_d1;
-            mul_17_d3 <= mul_17_d2;
-            mul_19_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_19_d2 <= mul_19_d1;
-            mul_19_d3 <= mul_19_d2;
-            mul_31_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_33_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_39_d1 <= mul_f24_ftz_unit_copy5_y;
-            add_49_d1 <= add_f24_ftz_unit_y;
-            add_49_d2 <= add_49_d1;
-            select_85_d1 <= select_85;
-            mul_96_d1 <= mul_f24_ftz_unit_copy6_y;
-            add_114_d1 <= add_f24_ftz_unit_copy2_y;
-            add_114_d2 <= add_114_d1;
-            resize_148_d1 <= sub_146[8:0];
-            resize_148_d2 <= resize_148_d1;
-            resize_148_d3 <= resize_148_d2;
-            resize_148_d4 <= resize_148_d3;
-            lt_149_d1 <= lt_149;
-            min_189_d1 <= min_f24_ftz_unit_y;
-            reinterpret_241_d1 <= {18'd0, select_85[8:0]} << 12;
-            or_270_d1 <= or_270;
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            alpha_d3 <= alpha_d2;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            beta_d3 <= beta_d2;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy5_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            t_x_sum_d2 <= t_x_sum_d1;
+            first_x_chosen_d1 <= first_x_chosen;
+            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            t_y_sum_d2 <= t_y_sum_d1;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
+            last_y_d4 <= last_y_d3;
+            occupied_y_d1 <= occupied_y;
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            shift_shifted_d1 <= {18'd0, first_x} << 12;
+            shift_either_d1 <= shift_either_copy2;
             shift_d1 <= shift;
             shift_d2 <= shift_d1;
             shift_d3 <= shift_d2;
             exponent_d1 <= exponent;
-            resize_390_d1 <= min_389[15:0];
-            shr_411_d1 <= {add_410[17], add_410[17:1]};
+            ax_out_lesser_d1 <= ax_out_lesser[15:0];
+            bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
             vanishes_d1 <= vanishes;
         end
         if (load_1) begin
@@ -5945,197 +5738,197 @@ module splat_setup (
             whole_d9 <= whole_d8;
             whole_d10 <= whole_d9;
             whole_d11 <= whole_d10;
-            add_59_d1 <= add_f24_ftz_unit_y;
-            add_59_d2 <= add_59_d1;
-            add_59_d3 <= add_59_d2;
-            add_59_d4 <= add_59_d3;
-            add_124_d1 <= add_f24_ftz_unit_copy4_y;
-            add_124_d2 <= add_124_d1;
-            add_124_d3 <= add_124_d2;
-            add_124_d4 <= add_124_d3;
-            shr_142_d1 <= add_141 >> 8;
-            select_188_d1 <= select_188;
-            select_188_d2 <= select_188_d1;
-            select_190_d1 <= select_190;
-            and_196_d1 <= and_196;
-            resize_223_d1 <= min_222[25:0];
-            select_224_d10 <= delay_9_from_1_out[25:0];
-            select_224_d11 <= select_224_d10;
-            select_224_d12 <= select_224_d11;
-            select_224_d13 <= select_224_d12;
-            shr_232_d1 <= {add_231[27], add_231[27:1]};
-            select_235_d10 <= delay_9_from_1_out[51:26];
-            select_235_d11 <= select_235_d10;
-            select_235_d12 <= select_235_d11;
-            select_235_d13 <= select_235_d12;
-            reinterpret_245_d1 <= add_238 << 12;
-            sub_262_d1 <= sub_262;
-            select_311_d1 <= select_311;
-            resize_359_d11 <= delay_10_from_1_out;
-            max_363_d1 <= max_363;
-            shr_527_d1 <= {add_525[21], add_525[21:1]};
-            or_541_d1 <= or_541;
-            max_569_d1 <= max_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
+            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy4_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
+            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_d1 <= half_depth;
+            visible_both_d1 <= visible_both;
+            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
+            center_x_out_d10 <= center_x_out_d9;
+            center_x_out_d11 <= center_x_out_d10;
+            center_x_out_d12 <= center_x_out_d11;
+            center_x_out_d13 <= center_x_out_d12;
+            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
+            center_y_out_d10 <= center_y_out_d9;
+            center_y_out_d11 <= center_y_out_d10;
+            center_y_out_d12 <= center_y_out_d11;
+            center_y_out_d13 <= center_y_out_d12;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            my_bits_d11 <= delay_10_from_1_out;
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
+            odd_either_d1_copy3 <= odd_either_copy3;
+            depth_high_out_greater_d1 <= max_f24_ftz_unit_copy2_y;
         end
         if (load_6) begin
-            mul_37_d1 <= mul_f24_ftz_unit_y;
-            mul_43_d1 <= mul_f24_ftz_unit_copy2_y;
-            shr_82_d1 <= add_81 >> 8;
-            mul_102_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_108_d1 <= mul_f24_ftz_unit_copy4_y;
-            max_131_d1 <= max_f24_ftz_unit_y;
-            mul_151_d1 <= mul_f24_ftz_unit_copy6_y;
-            equal_160_d1 <= equal_160;
-            lt_163_d1 <= lt_163;
-            bits_198_d1 <= add_f24_ftz_unit_y[23];
-            bits_277_d1 <= or_275[25:15];
-            bits_283_d1 <= or_275[25:16];
-            bits_289_d1 <= or_275[25:17];
-            bits_294_d1 <= or_275[25:18];
-            bits_300_d1 <= or_275[25:19];
-            bits_306_d1 <= or_275[25:20];
-            bits_312_d1 <= or_275[25:21];
-            bits_318_d1 <= or_275[25:22];
-            equal_325_d1 <= equal_325;
-            equal_331_d1 <= equal_331;
-            equal_337_d1 <= equal_337;
-            resize_344_d11 <= delay_10_from_6_out[10:1];
-            resize_351_d13 <= delay_12_from_6_out[19:10];
-            resize_353_d13 <= delay_12_from_6_out[29:20];
-            resize_355_d1 <= joined_10;
-            resize_355_d13 <= delay_11_from_6_out[9:0];
-            resize_357_d11 <= delay_10_from_6_out[20:11];
-            max_360_d1 <= max_360;
-            resize_459_d1 <= min_458[15:0];
-            shr_480_d1 <= {add_479[17], add_479[17:1]};
-            or_533_d1 <= or_533;
-            equal_534_d1 <= equal_534;
-            or_539_d1 <= or_539;
-            equal_542_d1 <= equal_542;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            a_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            last_y_greater_d1 <= max_f24_ftz_unit_y;
+            a_x_times_b_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            delta_bits_is_zero_d1 <= delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            delta_sign_d1 <= add_f24_ftz_unit_y[23];
+            shift_either_bits_d1 <= shift_either_copy3[25:15];
+            shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
+            shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
+            shift_either_bits_d1_copy4 <= shift_either_copy3[25:18];
+            shift_either_bits_d1_copy5 <= shift_either_copy3[25:19];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy7;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy8;
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
+            delta_bits_d11 <= delta_bits_d10;
+            b_x_bits_d13 <= b_x_bits_d12;
+            a_y_bits_d13 <= a_y_bits_d12;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d13 <= b_y_bits_d12;
+            mx_bits_d11 <= mx_bits_d10;
+            exponent_greater_d1 <= exponent_greater;
+            by_out_lesser_d1 <= by_out_lesser[15:0];
+            mx_out_shifted_d1 <= {mx_out_sum[17], mx_out_sum[17:1]};
+            odd_either_d1 <= odd_either;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+            delta_bits_is_255_d1 <= delta_bits_is_255;
         end
         if (load_4) begin
-            add_46_d1 <= add_f24_ftz_unit_y;
-            add_46_d2 <= add_46_d1;
-            add_46_d3 <= add_46_d2;
-            add_46_d4 <= add_46_d3;
-            add_46_d5 <= add_46_d4;
-            add_46_d6 <= add_46_d5;
-            add_46_d7 <= add_46_d6;
-            add_54_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_98_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_104_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_119_d1 <= add_f24_ftz_unit_copy3_y;
-            neg_125_d1 <= joined_5;
-            or_203_d1 <= or_203;
-            or_203_d2 <= or_203_d1;
-            or_203_d3 <= or_203_d2;
-            or_203_d4 <= or_203_d3;
-            lt_207_d1 <= lt_207;
-            sub_243_d1 <= sub_243;
-            reinterpret_264_d1 <= add_257 << 12;
-            add_343_d1 <= add_343;
-            and_371_d1 <= and_371;
-            and_395_d1 <= and_395;
-            resize_413_d1 <= min_412[15:0];
-            and_418_d1 <= and_418;
-            shr_434_d1 <= {add_433[17], add_433[17:1]};
-            and_441_d1 <= and_441;
-            and_464_d1 <= and_464;
-            and_487_d1 <= and_487;
-            lt_508_d1 <= lt_508;
-            sub_512_d1 <= sub_512;
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            center_x_d3_copy2 <= center_x_d2_copy2;
+            center_x_d4 <= center_x_d3_copy2;
+            center_x_d5 <= center_x_d4;
+            center_x_d6 <= center_x_d5;
+            center_x_d7 <= center_x_d6;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy3_y;
+            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            end_or_visible_d1 <= end_or_visible;
+            end_or_visible_d2 <= end_or_visible_d1;
+            end_or_visible_d3 <= end_or_visible_d2;
+            end_or_visible_d4 <= end_or_visible_d3;
+            center_x_bits_below_140_d1 <= center_x_bits_below_140;
+            shift_difference_d1 <= shift_difference;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
+            shift_plus_4_d1 <= shift_plus_4;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_lesser_d1 <= bx_out_lesser[15:0];
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
         end
         if (load_2) begin
-            mul_55_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_64_d1 <= add_f24_ftz_unit_y;
-            add_66_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_120_d1 <= mul_f24_ftz_unit_copy4_y;
-            min_144_d1 <= min_144;
-            add_176_d1 <= add_f24_ftz_unit_copy3_y;
-            add_176_d2 <= add_176_d1;
-            add_176_d3 <= add_176_d2;
-            le_195_d1 <= le_f24_ftz_unit_y;
-            le_195_d2 <= le_195_d1;
-            le_195_d3 <= le_195_d2;
-            le_195_d4 <= le_195_d3;
-            resize_234_d1 <= min_233[25:0];
-            resize_242_d1 <= {delay_9_from_1_out[25], delay_9_from_1_out[25:0]};
-            sub_246_d1 <= sub_246;
-            not_252_d1 <= not_252;
-            bits_269_d1 <= select_268[25:0];
-            select_328_d1 <= select_328;
-            max_364_d1 <= max_364;
-            shr_388_d1 <= {add_386[17], add_386[17:1]};
-            resize_529_d1 <= min_528[19:0];
-            to_fixed_570_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_570_d2 <= to_fixed_570_d1;
-            to_fixed_570_d3 <= to_fixed_570_d2;
-            to_fixed_570_d4 <= to_fixed_570_d3;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            last_y_lesser_d1 <= last_y_lesser;
+            center_depth_d1 <= add_f24_ftz_unit_copy3_y;
+            center_depth_d2 <= center_depth_d1;
+            center_depth_d3 <= center_depth_d2;
+            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
+            center_depth_up_to_one_d2 <= center_depth_up_to_one_d1;
+            center_depth_up_to_one_d3 <= center_depth_up_to_one_d2;
+            center_depth_up_to_one_d4 <= center_depth_up_to_one_d3;
+            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
+            center_x_out_d1 <= {center_x_out_d9[25], center_x_out_d9};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[19:0];
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_high_out_d2 <= depth_high_out_d1;
+            depth_high_out_d3 <= depth_high_out_d2;
+            depth_high_out_d4 <= depth_high_out_d3;
         end
         if (load_7) begin
-            min_86_d1 <= min_86;
-            add_121_d1 <= add_f24_ftz_unit_copy3_y;
-            mul_169_d1 <= mul_f24_ftz_unit_y;
-            neg_171_d1 <= joined_7;
-            add_179_d1 <= add_f24_ftz_unit_copy4_y;
-            add_179_d2 <= add_179_d1;
-            not_280_d1 <= not_280;
-            not_286_d1 <= not_286;
-            not_291_d1 <= not_291;
-            not_297_d1 <= not_297;
-            not_303_d1 <= not_303;
-            not_309_d1 <= not_309;
-            not_315_d1 <= not_315;
-            not_320_d1 <= not_320;
-            max_361_d1 <= max_361;
-            resize_482_d1 <= min_481[15:0];
-            shr_503_d1 <= {add_502[17], add_502[17:1]};
-            or_537_d1 <= or_537;
-            or_537_d2 <= or_537_d1;
-            not_549_d1 <= not_549;
-            or_550_d1 <= or_550;
+            last_x_lesser_d1 <= last_x_lesser;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
+            alpha_times_b_x_d1 <= mul_f24_ftz_unit_y;
+            minus_beta_times_a_x_d1 <= minus_mul_f24_ftz_unit_copy6_y;
+            spread_middle_d1 <= add_f24_ftz_unit_copy4_y;
+            spread_middle_d2 <= spread_middle_d1;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_shift_either_bits_is_zero_d1_copy6 <= not_shift_either_bits_is_zero_copy6;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[15:0];
+            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
+            odd_either_d1_copy2 <= odd_either_copy2;
+            odd_either_d2 <= odd_either_d1_copy2;
+            not_placed_d1 <= not_placed;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? choice_18 : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? choice_19 : choice_20;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_21 : choice_22;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_23 : phase[1] ? choice_24 : phase[0] ? mul_19_d3 : scale_x;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_25 : choice_26;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_27 : choice_28;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_29 : choice_31;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_32 : choice_33;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_34 : phase[1] ? choice_35 : add_f24_ftz_unit_copy5_y;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_36 : choice_37;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_38 : choice_39;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_40 : choice_41;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_42 : choice_43;
-            add_f24_ftz_unit_a <= phase[2] ? choice_44 : choice_45;
-            add_f24_ftz_unit_b <= phase[2] ? choice_47 : phase[1] ? choice_49 : choice_50;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_52 : choice_53;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_55 : choice_56;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_58 : choice_60;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_62 : choice_64;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_65 : choice_66;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_68 : choice_69;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_70 : choice_71;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_72 : choice_73;
-            sqrt_f24_ftz_unit_a <= phase[2] ? choice_74 : phase[1] ? add_22_d1 : add_121_d1;
-            min_f24_ftz_unit_a <= phase[2] ? choice_75 : choice_76;
-            min_f24_ftz_unit_b <= phase[2] ? choice_77 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_78;
-            max_f24_ftz_unit_b <= phase[2] ? choice_79 : choice_80;
+            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : phase[1] ? mul_f24_ftz_unit_y : phase[0] ? alpha_d3 : scale_x;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? a_x_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_a_choice_2;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? (phase[0] ? b_x_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_a_choice;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? (phase[0] ? a_y_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_a_choice;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_3;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? (phase[0] ? r_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy6_a_choice;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
+            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy4_b_choice : center_y_d8) : add_f24_ftz_unit_copy4_b_choice_3;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
+            sqrt_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_d1) : q_d1) : phase[1] ? q_d1 : t_y_squared_plus_h_y_product_d1;
+            min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : max_f24_ftz_unit_a_choice;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
             max_f24_ftz_unit_copy2_a <= 24'd0;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_188_d1) : phase[1] ? select_188_d1 : min_129_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_81 : max_f24_ftz_unit_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_176_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? choice_82 : add_f24_ftz_unit_copy3_y;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : middle_depth_d1) : phase[1] ? middle_depth_d1 : first_y_lesser_d1;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : max_f24_ftz_unit_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? center_depth_d3 : 24'd0) : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy3_y;
             to_fixed_f24_ftz_s27q13_unit_a <= add_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s17q16_unit_a <= phase[2] ? choice_83 : choice_84;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_85 : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s17q16_unit_a <= phase[2] ? to_fixed_f24_ftz_s17q16_unit_a_choice : to_fixed_f24_ftz_s17q16_unit_a_choice_2;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : max_f24_ftz_unit_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= select_143[8:0];
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= first_y;
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -6157,25 +5950,25 @@ module splat_setup (
         if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_9_from_1[delay_9_from_1_pointer] <= {select_235, select_224};
+        if (load_1) delay_9_from_1[delay_9_from_1_pointer] <= {center_y_out, center_x_out};
         if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= joined_17;
+        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= delay_10_from_1_data_bits;
         if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_11_from_1[delay_11_from_1_pointer] <= {add_f24_ftz_unit_copy5_y[14:0], add_f24_ftz_unit_copy5_y[23], not_486};
+            delay_11_from_1[delay_11_from_1_pointer] <= {add_f24_ftz_unit_copy5_y[14:0], add_f24_ftz_unit_copy5_y[23], not_zero_is_my_bits};
         end
         if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_12_from_2[delay_12_from_2_pointer] <= or_551;
+        if (load_2) delay_12_from_2[delay_12_from_2_pointer] <= odd_or_edge_on_or_not_placed;
         if (load_2) delay_12_from_2_out <= delay_12_from_2[delay_12_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_3) delay_5_from_3[delay_5_from_3_pointer] <= select_85[8:0];
+        if (load_3) delay_5_from_3[delay_5_from_3_pointer] <= first_x;
         if (load_3) delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
     end
     always @(posedge clk) begin
@@ -6187,23 +5980,23 @@ module splat_setup (
     always @(posedge clk) begin
         if (load_5) begin
             delay_12_from_5[delay_12_from_5_pointer] <= {
-                mul_108_d1[14:0], mul_108_d1[23], mul_102_d1[14:0], mul_102_d1[23], mul_43_d1[14:0], mul_43_d1[23],
-                mul_37_d1[14:0], mul_37_d1[23]
+                b_y_d1[14:0], b_y_d1[23], a_y_d1[14:0], a_y_d1[23], b_x_d1[14:0], b_x_d1[23], a_x_d1[14:0],
+                a_x_d1[23]
             };
         end
         if (load_5) delay_12_from_5_out <= delay_12_from_5[delay_12_from_5_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_10_from_6[delay_10_from_6_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], 2'd0, add_f24_ftz_unit_y[22:15], bits_198_d1};
+            delay_10_from_6[delay_10_from_6_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], 2'd0, add_f24_ftz_unit_y[22:15], delta_sign_d1};
         end
         if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_11_from_6[delay_11_from_6_pointer] <= {
-                add_f24_ftz_unit_y[14:0], not_510, add_f24_ftz_unit_copy2_y[14:0], add_f24_ftz_unit_copy2_y[23],
-                not_463, resize_355_d1
+                add_f24_ftz_unit_y[14:0], not_zero_is_delta_bits, add_f24_ftz_unit_copy2_y[14:0],
+                add_f24_ftz_unit_copy2_y[23], not_zero_is_mx_bits, b_y_bits_d1
             };
         end
         if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
@@ -6219,91 +6012,63 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_13_from_6[delay_13_from_6_pointer] <= {not_440, not_417, not_394, not_370};
+            delay_13_from_6[delay_13_from_6_pointer] <= {not_zero_is_b_y_bits, not_zero_is_a_y_bits, not_zero_is_b_x_bits, not_zero_is_a_x_bits};
         end
         if (load_6) delay_13_from_6_out <= delay_13_from_6[delay_13_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= or_201;
+        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= edge_on_or_visible_unequal;
         if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
 
     wire _unused = &{
-        1'b0, add_219[0], add_231[0], add_386[0], add_410[0], add_433[0], add_456[0], add_479[0], add_502[0],
-        add_525[0], min_222[27:26], min_233[27:26], min_389[17:16], min_412[17:16], min_435[17:16],
-        min_458[17:16], min_481[17:16], min_504[17:16], min_528[21:20], or_275[14:0], select_249[26],
-        select_253[26], select_268[26], select_273[26], select_373[9:8], select_397[9:8], select_420[9:8],
-        select_443[9:8], select_466[9:8], select_489[9:8], select_513[9:8], sub_146[21:9], sub_89[21:9]
+        1'b0, ax_out_chosen[9:8], ax_out_lesser[17:16], ax_out_sum[0], ay_out_chosen[9:8],
+        ay_out_lesser[17:16], ay_out_sum[0], bx_out_chosen[9:8], bx_out_lesser[17:16], bx_out_sum[0],
+        by_out_chosen[9:8], by_out_lesser[17:16], by_out_sum[0], center_x_out_lesser[27:26],
+        center_x_out_sum[0], center_y_out_lesser[27:26], center_y_out_sum[0], last_x_chosen_minus_1[21:9],
+        last_y_chosen_minus_1[21:9], mx_out_chosen[9:8], mx_out_lesser[17:16], mx_out_sum[0],
+        my_out_chosen[9:8], my_out_lesser[17:16], my_out_sum[0], shift_chosen[26], shift_chosen_copy2[26],
+        shift_chosen_copy3[26], shift_chosen_copy4[26], shift_either_copy3[14:0], vanishes_chosen[9:8],
+        vanishes_lesser[21:20], vanishes_sum[0]
     };
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & phase_is_1));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & term_1))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & phase_is_1))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -6315,9 +6080,7 @@ endmodule
 // fraction = 24
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [4:0] distance_s1;
@@ -6326,30 +6089,30 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h79a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({8'd0, significand_s1} << 8) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6359,9 +6122,7 @@ endmodule
 // fraction = 20
 // integer = signed
 module float_to_fixed_s3_f24ftz_w21_f20_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [20:0] y
 );
     reg [4:0] distance_s1;
@@ -6370,31 +6131,31 @@ module float_to_fixed_s3_f24ftz_w21_f20_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h796;
-    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h796;
+    wire [10:0] distance_s1_difference = 11'd21 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [20:0] choice_5 = saturates_s2 ? (sign_s2 ? 21'h100000 : 21'hfffff) : sign_s2 ? (~magnitude_s2 + 21'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [20:0] y_choice = saturates_s2 ? (sign_s2 ? 21'h100000 : 21'hfffff) : sign_s2 ? (~magnitude_s2 + 21'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd21 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd21 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 21'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 21'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6404,9 +6165,7 @@ endmodule
 // fraction = 16
 // integer = signed
 module float_to_fixed_s3_f24ftz_w17_f16_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [16:0] y
 );
     reg [4:0] distance_s1;
@@ -6415,31 +6174,31 @@ module float_to_fixed_s3_f24ftz_w17_f16_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
-    wire [10:0] difference_2 = 11'd17 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h792;
+    wire [10:0] distance_s1_difference = 11'd17 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [16:0] choice_5 = saturates_s2 ? (sign_s2 ? 17'h10000 : 17'hffff) : sign_s2 ? (~magnitude_s2 + 17'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [16:0] y_choice = saturates_s2 ? (sign_s2 ? 17'h10000 : 17'hffff) : sign_s2 ? (~magnitude_s2 + 17'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({1'd0, significand_s1} << 1) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd17 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd17 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 17'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 17'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6449,9 +6208,7 @@ endmodule
 // fraction = 13
 // integer = signed
 module float_to_fixed_s3_f24ftz_w27_f13_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [26:0] y
 );
     reg [4:0] distance_s1;
@@ -6460,55 +6217,52 @@ module float_to_fixed_s3_f24ftz_w27_f13_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78f;
-    wire [10:0] difference_2 = 11'd27 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78f;
+    wire [10:0] distance_s1_difference = 11'd27 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [26:0] choice_5 = saturates_s2 ? (sign_s2 ? 27'h4000000 : 27'h3ffffff) : sign_s2 ? (~magnitude_s2 + 27'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [26:0] y_choice = saturates_s2 ? (sign_s2 ? 27'h4000000 : 27'h3ffffff) : sign_s2 ? (~magnitude_s2 + 27'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({11'd0, significand_s1} << 11) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd27 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd27 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 27'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 27'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
 module float_le_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -6521,9 +6275,7 @@ endmodule
 // fraction = 8
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [20:0] y
 );
     reg [4:0] distance_s1;
@@ -6532,55 +6284,52 @@ module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
-    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd21 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd22 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
 module float_max_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -6590,25 +6339,22 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_min_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -6618,9 +6364,7 @@ endmodule
 // stages = 18
 // format = f24-ftz
 module float_sqrt_s18_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [2:0] remainder_s1;
@@ -6676,73 +6420,73 @@ module float_sqrt_s18_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [16:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
-    wire [1:0] difference_3 = choice_2[16:15] - 2'd1;
-    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[14:13]} - 5'd5;
-    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
-    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
-    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
-    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
-    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
-    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
-    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
-    wire [12:0] difference_12 = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
-    wire [13:0] difference_13 = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
-    wire [14:0] difference_14 = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
-    wire [15:0] difference_15 = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
-    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
-    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
-    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
-    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
-    wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
-    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [16:0] remainder_s1_choice = ~a_field[0] ? {|a_field, remainder_s1_both, 1'd0} : {1'd0, |a_field, remainder_s1_both};
+    wire [1:0] remainder_s1_difference = remainder_s1_choice[16:15] - 2'd1;
+    wire [4:0] remainder_s1_difference_2 = {1'd0, remainder_s1_difference, remainder_s1_choice[14:13]} - 5'd5;
+    wire [5:0] remainder_s2_difference = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] remainder_s3_difference = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] remainder_s4_difference = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] remainder_s5_difference = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] remainder_s6_difference = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] remainder_s7_difference = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] remainder_s8_difference = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
+    wire [12:0] remainder_s9_difference = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
+    wire [13:0] remainder_s10_difference = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
+    wire [14:0] remainder_s11_difference = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
+    wire [15:0] remainder_s12_difference = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] remainder_s13_difference = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] remainder_s15_difference = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] remainder_s16_difference = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [9:0] a_field_plus_127 = {2'd0, a_field} + 10'd127;
+    wire zero_s17_either = exponent_s16[9] | ((exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]));
     wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
     wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
-    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
+    wire [23:0] y_bits = {sign_s17, zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17};
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[14:13]};
-            root_s1 <= {1'd1, ~difference_4[4]};
-            pending_s1 <= choice_2[12:0];
-            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
-            root_s2 <= {root_s1, ~difference_5[5]};
+            remainder_s1 <= ~remainder_s1_difference_2[4] ? remainder_s1_difference_2[2:0] : {remainder_s1_difference[0], remainder_s1_choice[14:13]};
+            root_s1 <= {1'd1, ~remainder_s1_difference_2[4]};
+            pending_s1 <= remainder_s1_choice[12:0];
+            remainder_s2 <= ~remainder_s2_difference[5] ? remainder_s2_difference[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
+            root_s2 <= {root_s1, ~remainder_s2_difference[5]};
             pending_s2 <= pending_s1[10:0];
-            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
-            root_s3 <= {root_s2, ~difference_6[6]};
+            remainder_s3 <= ~remainder_s3_difference[6] ? remainder_s3_difference[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
+            root_s3 <= {root_s2, ~remainder_s3_difference[6]};
             pending_s3 <= pending_s2[8:0];
-            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
-            root_s4 <= {root_s3, ~difference_7[7]};
+            remainder_s4 <= ~remainder_s4_difference[7] ? remainder_s4_difference[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
+            root_s4 <= {root_s3, ~remainder_s4_difference[7]};
             pending_s4 <= pending_s3[6:0];
-            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
-            root_s5 <= {root_s4, ~difference_8[8]};
+            remainder_s5 <= ~remainder_s5_difference[8] ? remainder_s5_difference[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
+            root_s5 <= {root_s4, ~remainder_s5_difference[8]};
             pending_s5 <= pending_s4[4:0];
-            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
-            root_s6 <= {root_s5, ~difference_9[9]};
+            remainder_s6 <= ~remainder_s6_difference[9] ? remainder_s6_difference[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
+            root_s6 <= {root_s5, ~remainder_s6_difference[9]};
             pending_s6 <= pending_s5[2:0];
-            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
-            root_s7 <= {root_s6, ~difference_10[10]};
+            remainder_s7 <= ~remainder_s7_difference[10] ? remainder_s7_difference[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
+            root_s7 <= {root_s6, ~remainder_s7_difference[10]};
             pending_s7 <= pending_s6[0];
-            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
-            root_s8 <= {root_s7, ~difference_11[11]};
-            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], 2'd0};
-            root_s9 <= {root_s8, ~difference_12[12]};
-            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], 2'd0};
-            root_s10 <= {root_s9, ~difference_13[13]};
-            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], 2'd0};
-            root_s11 <= {root_s10, ~difference_14[14]};
-            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], 2'd0};
-            root_s12 <= {root_s11, ~difference_15[15]};
-            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
-            root_s13 <= {root_s12, ~difference_16[16]};
-            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
-            root_s14 <= {root_s13, ~difference_17[17]};
-            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
-            root_s15 <= {root_s14, ~difference_18[18]};
-            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
-            root_s16 <= {root_s15, ~difference_19[19]};
-            exponent_s1 <= {sum_20[9], sum_20[9:1]};
+            remainder_s8 <= ~remainder_s8_difference[11] ? remainder_s8_difference[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
+            root_s8 <= {root_s7, ~remainder_s8_difference[11]};
+            remainder_s9 <= ~remainder_s9_difference[12] ? remainder_s9_difference[10:0] : {remainder_s8[8:0], 2'd0};
+            root_s9 <= {root_s8, ~remainder_s9_difference[12]};
+            remainder_s10 <= ~remainder_s10_difference[13] ? remainder_s10_difference[11:0] : {remainder_s9[9:0], 2'd0};
+            root_s10 <= {root_s9, ~remainder_s10_difference[13]};
+            remainder_s11 <= ~remainder_s11_difference[14] ? remainder_s11_difference[12:0] : {remainder_s10[10:0], 2'd0};
+            root_s11 <= {root_s10, ~remainder_s11_difference[14]};
+            remainder_s12 <= ~remainder_s12_difference[15] ? remainder_s12_difference[13:0] : {remainder_s11[11:0], 2'd0};
+            root_s12 <= {root_s11, ~remainder_s12_difference[15]};
+            remainder_s13 <= ~remainder_s13_difference[16] ? remainder_s13_difference[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~remainder_s13_difference[16]};
+            remainder_s14 <= ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~remainder_s14_difference[17]};
+            remainder_s15 <= ~remainder_s15_difference[18] ? remainder_s15_difference[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~remainder_s15_difference[18]};
+            remainder_s16 <= ~remainder_s16_difference[19] ? remainder_s16_difference[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~remainder_s16_difference[19]};
+            exponent_s1 <= {a_field_plus_127[9], a_field_plus_127[9:1]};
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3;
@@ -6825,17 +6569,19 @@ module float_sqrt_s18_f24ftz (
             sign_s17 <= sign_s16;
             nan_s17 <= nan_s16;
             infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
-            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            zero_s17 <= zero_s16 | (zero_s17_either & ~infinite_s16);
             rounded_s17 <= rounded;
-            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
+            y <= nan_s17 ? 24'h7fc000 : y_bits;
         end
     end
 
     wire _unused = &{
-        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
-        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
-        difference_4[3], difference_5[4], difference_6[5], difference_7[6], difference_8[7], difference_9[8],
-        root_s16[16], sum_20[0]
+        1'b0, a_field_plus_127[0], remainder_s10_difference[12], remainder_s11_difference[13],
+        remainder_s12_difference[14], remainder_s13_difference[15], remainder_s14_difference[16],
+        remainder_s15_difference[17], remainder_s16_difference[18], remainder_s1_difference_2[3],
+        remainder_s2_difference[4], remainder_s3_difference[5], remainder_s4_difference[6],
+        remainder_s5_difference[7], remainder_s6_difference[8], remainder_s7_difference[9],
+        remainder_s8_difference[10], remainder_s9_difference[11], root_s16[16]
     };
 endmodule
 
@@ -6843,10 +6589,7 @@ endmodule
 // stages = 5
 // format = f24-ftz
 module float_mul_s5_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -6862,16 +6605,16 @@ module float_mul_s5_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zero_s4_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+    wire [23:0] y_bits = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
 
     always @(posedge clk) begin
         if (enable) begin
@@ -6881,25 +6624,25 @@ module float_mul_s5_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             sign_s4 <= sign_s3;
             nan_s4 <= nan_s3;
             infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
-            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | zero_s4_both) & ~infinite_s3);
             rounded_s4 <= rounded;
-            y <= nan_s4 ? 24'h7fc000 : joined_8;
+            y <= nan_s4 ? 24'h7fc000 : y_bits;
         end
     end
 
@@ -6910,9 +6653,7 @@ endmodule
 // stages = 20
 // format = f24-ftz
 module float_recip_s20_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [16:0] remainder_s1;
@@ -6981,105 +6722,106 @@ module float_recip_s20_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [17:0] difference_2 = 18'h8000 - {2'd0, |a_field, term_1};
-    wire [17:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : remainder_s1[15:0];
-    wire [17:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s2[15:0];
-    wire [17:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s3[15:0];
-    wire [17:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s4[15:0];
-    wire [17:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s5[15:0];
-    wire [17:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s6[15:0];
-    wire [17:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s7[15:0];
-    wire [17:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s8[15:0];
-    wire [17:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s9[15:0];
-    wire [17:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s10[15:0];
-    wire [17:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s11[15:0];
-    wire [17:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s12[15:0];
-    wire [17:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s13[15:0];
-    wire [17:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s14[15:0];
-    wire [17:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s15[15:0];
-    wire [17:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s16[15:0];
-    wire [17:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s17[15:0];
-    wire [18:0] joined_37 = {quotient_s18, |remainder_s18};
-    wire [18:0] choice_38 = ~quotient_s18[17] ? (joined_37 << 1) : joined_37;
-    wire term_39 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
-    wire term_40 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [17:0] remainder_s1_difference = 18'h8000 - {2'd0, |a_field, remainder_s1_both};
+    wire [15:0] remainder_s1_choice = ~remainder_s1_difference[17] ? remainder_s1_difference[15:0] : 16'h8000;
+    wire [17:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [15:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[17] ? remainder_s1_minus_divisor_s1[15:0] : remainder_s1[15:0];
+    wire [17:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [15:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[17] ? remainder_s2_minus_divisor_s2[15:0] : remainder_s2[15:0];
+    wire [17:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [15:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[17] ? remainder_s3_minus_divisor_s3[15:0] : remainder_s3[15:0];
+    wire [17:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [15:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[17] ? remainder_s4_minus_divisor_s4[15:0] : remainder_s4[15:0];
+    wire [17:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [15:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[17] ? remainder_s5_minus_divisor_s5[15:0] : remainder_s5[15:0];
+    wire [17:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [15:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[17] ? remainder_s6_minus_divisor_s6[15:0] : remainder_s6[15:0];
+    wire [17:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [15:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[17] ? remainder_s7_minus_divisor_s7[15:0] : remainder_s7[15:0];
+    wire [17:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [15:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[17] ? remainder_s8_minus_divisor_s8[15:0] : remainder_s8[15:0];
+    wire [17:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [15:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[17] ? remainder_s9_minus_divisor_s9[15:0] : remainder_s9[15:0];
+    wire [17:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [15:0] remainder_s11_choice = ~remainder_s11_difference[17] ? remainder_s11_difference[15:0] : remainder_s10[15:0];
+    wire [17:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [15:0] remainder_s12_choice = ~remainder_s12_difference[17] ? remainder_s12_difference[15:0] : remainder_s11[15:0];
+    wire [17:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [15:0] remainder_s13_choice = ~remainder_s13_difference[17] ? remainder_s13_difference[15:0] : remainder_s12[15:0];
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [15:0] remainder_s14_choice = ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : remainder_s13[15:0];
+    wire [17:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [15:0] remainder_s15_choice = ~remainder_s15_difference[17] ? remainder_s15_difference[15:0] : remainder_s14[15:0];
+    wire [17:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [15:0] remainder_s16_choice = ~remainder_s16_difference[17] ? remainder_s16_difference[15:0] : remainder_s15[15:0];
+    wire [17:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [15:0] remainder_s17_choice = ~remainder_s17_difference[17] ? remainder_s17_difference[15:0] : remainder_s16[15:0];
+    wire [17:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [15:0] remainder_s18_choice = ~remainder_s18_difference[17] ? remainder_s18_difference[15:0] : remainder_s17[15:0];
+    wire [18:0] significand_s19_bits = {quotient_s18, |remainder_s18};
+    wire [18:0] significand_s19_choice = ~quotient_s18[17] ? (significand_s19_bits << 1) : significand_s19_bits;
+    wire y_both = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
     wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
     wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_41 = (zero_s19 | ((exponent_s19[9] | term_39) & ~infinite_s19)) ? 23'd0 : term_40 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s19 | ((exponent_s19[9] | y_both) & ~infinite_s19)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {~difference_2[17] ? difference_2[15:0] : 16'h8000, 1'd0};
-            quotient_s1 <= ~difference_2[17];
-            divisor_s1 <= {|a_field, term_1};
-            remainder_s2 <= {choice_4, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_3[17]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[17];
+            divisor_s1 <= {|a_field, remainder_s1_both};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[17]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_6, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_5[17]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[17]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_8, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_7[17]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[17]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_10, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_9[17]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[17]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_12, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_11[17]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[17]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_14, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_13[17]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[17]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_16, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_15[17]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[17]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_18, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_17[17]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[17]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_20, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_19[17]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[17]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_22, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_21[17]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[17]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_24, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_23[17]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[17]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_26, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_25[17]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[17]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_28, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_27[17]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[17]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_30, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_29[17]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[17]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_32, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_31[17]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[17]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_34, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_33[17]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[17]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_36, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_35[17]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[17]};
             exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -7099,7 +6841,7 @@ module float_recip_s20_f24ftz (
             exponent_s17 <= exponent_s16;
             exponent_s18 <= exponent_s17;
             exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
-            significand_s19 <= {choice_38[18:2], |choice_38[1:0]};
+            significand_s19 <= {significand_s19_choice[18:2], |significand_s19_choice[1:0]};
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -7176,29 +6918,28 @@ module float_recip_s20_f24ftz (
             zero_s17 <= zero_s16;
             zero_s18 <= zero_s17;
             zero_s19 <= zero_s18;
-            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_41};
+            y <= nan_s19 ? 24'h7fc000 : {sign_s19, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
-        difference_2[16], difference_21[16], difference_23[16], difference_25[16], difference_27[16],
-        difference_29[16], difference_3[16], difference_31[16], difference_33[16], difference_35[16],
-        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
+        1'b0, remainder_s11_difference[16], remainder_s12_difference[16], remainder_s13_difference[16],
+        remainder_s14_difference[16], remainder_s15_difference[16], remainder_s16_difference[16],
+        remainder_s17_difference[16], remainder_s18_difference[16], remainder_s1_difference[16],
+        remainder_s1_minus_divisor_s1[16], remainder_s2_minus_divisor_s2[16],
+        remainder_s3_minus_divisor_s3[16], remainder_s4_minus_divisor_s4[16],
+        remainder_s5_minus_divisor_s5[16], remainder_s6_minus_divisor_s6[16],
+        remainder_s7_minus_divisor_s7[16], remainder_s8_minus_divisor_s8[16],
+        remainder_s9_minus_divisor_s9[16], significand_s19[17]
     };
 endmodule
 
 // Queue of two in registers.
 // width = 317
 module stream_skid_w317 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [316:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [316:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [316:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [316:0] out_data
 );
     reg second_valid;
     reg [316:0] head, second;
@@ -7224,17 +6965,14 @@ module stream_skid_w317 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -7243,61 +6981,61 @@ endmodule
 // latency = 28
 // initiation_interval = 8
 module splat_transform (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in world space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    input  wire [23:0] m00,
-    input  wire [23:0] m01,
-    input  wire [23:0] m02,
-    input  wire [23:0] m03,
-    input  wire [23:0] m10,
-    input  wire [23:0] m11,
-    input  wire [23:0] m12,
-    input  wire [23:0] m13,
-    input  wire [23:0] m20,
-    input  wire [23:0] m21,
-    input  wire [23:0] m22,
-    input  wire [23:0] m23,
-    input  wire [23:0] near_plane,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [11:0] in_attribute_0,  // Attributes.
+    input  wire [11:0] in_attribute_1,  // Attributes.
+    input  wire [11:0] in_attribute_2,  // Attributes.
+    input  wire [23:0] m00,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m01,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m02,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m03,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m10,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m11,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m12,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m13,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m20,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m21,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m22,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m23,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] near_plane,  // Near plane.
+    output wire out_valid,  // Splats in camera space.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_center_z,
-    output wire [23:0] out_tangent1_x,
-    output wire [23:0] out_tangent1_y,
-    output wire [23:0] out_tangent1_z,
-    output wire [23:0] out_tangent2_x,
-    output wire [23:0] out_tangent2_y,
-    output wire [23:0] out_tangent2_z,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Center.
+    output wire [23:0] out_center_y,  // Center.
+    output wire [23:0] out_center_z,  // Center.
+    output wire [23:0] out_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [11:0] out_attribute_0,  // Attributes.
+    output wire [11:0] out_attribute_1,  // Attributes.
+    output wire [11:0] out_attribute_2  // Attributes.
 );
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
     reg [11:0] attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4, attribute_1_d1, attribute_1_d2;
     reg [11:0] attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2, attribute_2_d3, attribute_2_d4;
-    reg [23:0] reinterpret_26_d1, reinterpret_27_d1, reinterpret_28_d1, mul_37_d1, add_44_d1, add_45_d1, add_46_d1;
-    reg [23:0] reinterpret_47_d1, reinterpret_48_d1, reinterpret_49_d1, mul_53_d1, add_54_d1, mul_55_d1, mul_58_d1;
-    reg [23:0] add_59_d1, mul_63_d1, add_64_d1, reinterpret_65_d1, reinterpret_66_d1, reinterpret_67_d1, mul_68_d1;
-    reg [23:0] mul_71_d1, add_72_d1, add_75_d1, mul_76_d1, add_77_d1, mul_78_d1, add_80_d1, mul_81_d1, add_82_d1;
-    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m12_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1;
+    reg [23:0] tangent1_y_d1, tangent1_z_d1, m02_times_tangent1_z_d1, v1_x_d1, m10_times_tangent1_x_d1;
+    reg [23:0] m12_times_tangent1_z_d1, v1_y_d1, m22_times_tangent1_z_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
+    reg [23:0] tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
+    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, m20_times_tangent2_x_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
+    reg [23:0] v2_z_d1, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
     reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
     reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
     reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
@@ -7309,36 +7047,35 @@ module splat_transform (
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    wire or_84 = end_d4 | lt_f24_ftz_unit_y;
-    wire term_1 = phase == 3'd4;
-    wire term_2 = in_flight[3] & or_84 & term_1;
-    wire term_3 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire [23:0] choice_5 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
-    wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_65_d1 : reinterpret_28_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
-    wire [23:0] choice_8 = phase[0] ? reinterpret_49_d1 : reinterpret_66_d1;
-    wire [23:0] choice_9 = phase[0] ? reinterpret_48_d1 : reinterpret_47_d1;
-    wire [23:0] choice_10 = phase[1] ? choice_9 : phase[0] ? reinterpret_27_d1 : in_center_y;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? reinterpret_47_d1 : reinterpret_48_d1) : in_center_x;
-    wire [23:0] choice_12 = phase[1] ? reinterpret_66_d1 : phase[0] ? reinterpret_66_d1 : reinterpret_65_d1;
-    wire [23:0] choice_13 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] choice_14 = phase[1] ? choice_13 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? m03 : mul_78_d1) : phase[0] ? mul_68_d1 : mul_55_d1;
-    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_18 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? m23 : add_80_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_58_d1 : mul_53_d1) : phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_21 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_81_d1) : choice_21;
-    wire [23:0] choice_23 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_24 = phase[1] ? choice_23 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] choice_25 = phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_63_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
+    wire end_or_near_plane_below_u_z = end_d4 | lt_f24_ftz_unit_y;
+    wire phase_is_4 = phase == 3'd4;
+    wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
+    wire phase_is_7 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? center_z_d1 : tangent2_z_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent2_x_d1 : center_z_d1) : phase[0] ? center_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent1_z_d1 : tangent2_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? tangent1_y_d1 : tangent1_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? center_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? tangent1_x_d1 : tangent1_y_d1) : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? tangent2_y_d1 : phase[0] ? tangent2_y_d1 : tangent2_x_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_a_choice : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m03 : m20_times_tangent2_x_d1) : phase[0] ? m00_times_tangent2_x_d1 : m10_times_tangent1_x_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_a_choice;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? m23 : v2_z_sum_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m12_times_tangent1_z_d1 : m02_times_tangent1_z_d1) : phase[0] ? m12_times_center_z_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? v2_y_sum_d1 : phase[0] ? v2_y_sum_d1 : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? m22_times_tangent1_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -7348,11 +7085,10 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w253 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d4, add_44_d1, add_45_d1, add_46_d1, add_54_d1, add_59_d1, add_64_d1, add_72_d1, add_77_d1,
-            add_82_d1, attribute_0_d4, attribute_1_d4, attribute_2_d4
+            end_d4, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, v2_z_d1, attribute_0_d4,
+            attribute_1_d4, attribute_2_d4
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7438,62 +7174,62 @@ module splat_transform (
             attribute_2_d2 <= attribute_2_d1;
             attribute_2_d3 <= attribute_2_d2;
             attribute_2_d4 <= attribute_2_d3;
-            reinterpret_26_d1 <= in_center_x;
-            reinterpret_27_d1 <= in_center_y;
-            reinterpret_28_d1 <= in_center_z;
-            reinterpret_47_d1 <= in_tangent1_x;
-            reinterpret_48_d1 <= in_tangent1_y;
-            reinterpret_49_d1 <= in_tangent1_z;
-            reinterpret_65_d1 <= in_tangent2_x;
-            reinterpret_66_d1 <= in_tangent2_y;
-            reinterpret_67_d1 <= in_tangent2_z;
-            mul_68_d1 <= mul_f24_ftz_unit_y;
-            add_75_d1 <= add_f24_ftz_unit_copy2_y;
-            add_77_d1 <= add_f24_ftz_unit_copy3_y;
+            center_x_d1 <= in_center_x;
+            center_y_d1 <= in_center_y;
+            center_z_d1 <= in_center_z;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_z_d1 <= in_tangent2_z;
+            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
+            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            v2_y_d1 <= add_f24_ftz_unit_copy3_y;
         end
         if (load_7) begin
-            mul_37_d1 <= mul_f24_ftz_unit_y;
-            mul_55_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_72_d1 <= add_f24_ftz_unit_copy3_y;
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m10_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
         end
         if (load_2) begin
-            add_44_d1 <= add_f24_ftz_unit_y;
-            add_46_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_53_d1 <= mul_f24_ftz_unit_y;
-            mul_58_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_63_d1 <= mul_f24_ftz_unit_copy3_y;
+            u_x_d1 <= add_f24_ftz_unit_y;
+            u_z_d1 <= add_f24_ftz_unit_copy2_y;
+            m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m22_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_3) begin
-            add_45_d1 <= add_f24_ftz_unit_copy3_y;
-            mul_71_d1 <= mul_f24_ftz_unit_y;
-            mul_76_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_81_d1 <= mul_f24_ftz_unit_copy3_y;
+            u_y_d1 <= add_f24_ftz_unit_copy3_y;
+            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
-        if (load_5) add_54_d1 <= add_f24_ftz_unit_copy2_y;
+        if (load_5) v1_x_d1 <= add_f24_ftz_unit_copy2_y;
         if (load_6) begin
-            add_59_d1 <= add_f24_ftz_unit_copy2_y;
-            add_64_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_y_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy3_y;
         end
         if (load_1) begin
-            mul_78_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_80_d1 <= add_f24_ftz_unit_y;
-            add_82_d1 <= add_f24_ftz_unit_copy2_y;
+            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            v2_z_sum_d1 <= add_f24_ftz_unit_y;
+            v2_z_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (queue_in_ready) begin
             mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
             mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_5 : choice_8) : choice_10;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
             mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_67_d1 : choice_8) : choice_11;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy3_b_choice;
             mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_12 : phase[1] ? choice_9 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? choice_14 : choice_15;
-            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_16 : choice_13) : choice_17;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_18 : choice_19;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_20 : choice_22;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_24 : choice_25;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_27 : phase[1] ? mul_76_d1 : phase[0] ? mul_76_d1 : mul_71_d1;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
         end
     end
 
@@ -7501,80 +7237,46 @@ module splat_transform (
     reg load_4;
 
     always @(posedge clk) begin
-        if (rst) begin
-            load_4 <= 1'd0;
-        end else begin
-            load_4 <= advance_next & (phase_next == 3'd4);
-        end
+        if (rst) load_4 <= 1'd0;
+        else load_4 <= advance_next & (phase_next == 3'd4);
     end
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & phase_is_4));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & term_1))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & phase_is_4))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -7583,24 +7285,21 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_lt_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} < {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -7610,10 +7309,7 @@ endmodule
 // stages = 6
 // format = f24-ftz
 module float_add_s6_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
@@ -7632,94 +7328,94 @@ module float_add_s6_f24ftz (
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] joined_1 = {|b_field, b_fraction & {15{|b_field}}};
+    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] joined_2 = {|a_field, a_fraction & {15{|a_field}}};
-    wire [18:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [18:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [18:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [18:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [18:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [18:0] joined_10 = {choice_7[18:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[23] ^ b[23];
-    wire [20:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 15'd0);
-    wire term_14 = &b_field & (b_fraction == 15'd0);
-    wire term_15 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_16 = term_15 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_17 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[13] & ~sum_s3[12]));
-    wire term_19 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_20 = term_19 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_21 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[5] & ~sum_s3[4])));
-    wire term_23 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_24 = term_23 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_25 = term_24 ? 2'd0 : {term_23, term_23 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_26 = term_20 ? {term_21, term_21 ? ~sum_s3[5] : ~sum_s3[7]} : {term_19, term_19 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [1:0] choice_27 = term_16 ? {term_17, term_17 ? ~sum_s3[13] : ~sum_s3[15]} : {term_15, term_15 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [3:0] joined_28 = {term_18, term_18 ? {term_20, choice_26} : {term_16, choice_27}};
-    wire [19:0] shifted_29 = value_s4 << zeros_s4;
-    wire term_30 = sum_s3 == 20'd0;
-    wire term_31 = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
-    wire term_32 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [18:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [18:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_23_xor_b_23 = a[23] ^ b[23];
+    wire [20:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zeros_s4_both = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_3 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_5 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_7 = zeros_s4_both_6 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire zeros_s4_both_8 = zeros_s4_both_4 & zeros_s4_both_7;
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_9 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_6 ? zeros_s4_bits_2 : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [1:0] zeros_s4_choice_2 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [2:0] zeros_s4_choice_3 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice} : {zeros_s4_both_2, zeros_s4_choice_2};
+    wire [3:0] zeros_s4_choice_4 = zeros_s4_both_8 ? {1'd0, zeros_s4_both_9, zeros_s4_both_9 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_4, zeros_s4_choice_3};
+    wire [19:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 20'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [22:0] rounded = {exponent_s5[7:0], significand_s5[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_33 = (zero_s5 | ((exponent_s5[9] | term_31) & ~infinite_s5)) ? 23'd0 : term_32 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
+            subtract_s1 <= a_23_xor_b_23;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[20:1];
+            sum_s3 <= sum_s3_sum[20:1];
             sign_s1 <= swap ? b[23] : a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_23_xor_b_23);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? {1'd0, term_24, choice_25} : joined_28};
+            zeros_s4 <= {zeros_s4_both_8, zeros_s4_choice_4};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_29[19:3], |shifted_29[2:0]};
-            sign_s4 <= sign_s3 & ~(term_30 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[19:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_30 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 24'h7fc000 : {sign_s5, choice_33};
+            y <= nan_s5 ? 24'h7fc000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_s3_sum[0]};
 endmodule
 
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
 module float_mul_s4_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -7734,17 +7430,17 @@ module float_mul_s4_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
-    wire term_8 = infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire y_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3)) ? 23'd0 : term_8 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s3 | ((exponent_s3[9] | y_both) & ~infinite_s3)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -7754,20 +7450,20 @@ module float_mul_s4_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= nan_s3 ? 24'h7fc000 : {sign_s3, choice_9};
+            y <= nan_s3 ? 24'h7fc000 : {sign_s3, y_choice_2};
         end
     end
 
@@ -7777,14 +7473,9 @@ endmodule
 // Queue of two in registers.
 // width = 253
 module stream_skid_w253 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [252:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [252:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [252:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [252:0] out_data
 );
     reg second_valid;
     reg [252:0] head, second;
@@ -7810,17 +7501,14 @@ module stream_skid_w253 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

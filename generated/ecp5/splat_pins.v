@@ -3,10 +3,8 @@
 
 // A unit between registers, behind few pins.
 module splat_pins (
-    input  wire clk,
-    input  wire rst,
-    input  wire serial_in,
-    output wire serial_out
+    input  wire clk, input wire rst,
+    input  wire serial_in, output wire serial_out
 );
     reg drive_uniform_valid;
     reg [4:0] drive_uniform_address;
@@ -75,247 +73,171 @@ module splat_pins (
     wire unit_event_sample, unit_event_starved, unit_event_blocked, unit_event_accumulate, unit_event_hazard;
     wire unit_event_slot_wait;
 
-    wire term_1 = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
-    wire term_2 = catch_event_blocked ^ catch_event_starved ^ catch_event_sample;
-    wire term_3 = catch_fragment_cardinal_0[1] ^ catch_fragment_cardinal_0[2];
-    wire term_4 = term_3 ^ catch_fragment_cardinal_0[3] ^ catch_fragment_cardinal_0[4];
-    wire term_5 = catch_fragment_cardinal_0[5] ^ catch_fragment_cardinal_0[6];
-    wire term_6 = term_5 ^ catch_fragment_cardinal_0[7] ^ catch_fragment_cardinal_0[8];
-    wire term_7 = catch_fragment_cardinal_0[9] ^ catch_fragment_cardinal_0[10];
-    wire term_8 = term_7 ^ catch_fragment_cardinal_0[11] ^ catch_fragment_cardinal_0[12];
-    wire term_9 = catch_fragment_cardinal_0[13] ^ catch_fragment_cardinal_0[14];
-    wire term_10 = term_9 ^ catch_fragment_cardinal_0[15] ^ catch_fragment_attribute_12[0];
-    wire term_11 = catch_fragment_attribute_12[1] ^ catch_fragment_attribute_12[2];
-    wire term_12 = term_11 ^ catch_fragment_attribute_12[3] ^ catch_fragment_attribute_12[4];
-    wire term_13 = catch_fragment_attribute_12[5] ^ catch_fragment_attribute_12[6];
-    wire term_14 = term_13 ^ catch_fragment_attribute_12[7] ^ catch_fragment_attribute_12[8];
-    wire term_15 = catch_fragment_attribute_12[9] ^ catch_fragment_attribute_12[10];
-    wire term_16 = term_15 ^ catch_fragment_attribute_12[11] ^ catch_fragment_attribute_12[12];
-    wire term_17 = catch_fragment_attribute_12[13] ^ catch_fragment_attribute_12[14];
-    wire term_18 = term_17 ^ catch_fragment_attribute_12[15] ^ catch_fragment_attribute_11[0];
-    wire term_19 = catch_fragment_attribute_11[1] ^ catch_fragment_attribute_11[2];
-    wire term_20 = term_19 ^ catch_fragment_attribute_11[3] ^ catch_fragment_attribute_11[4];
-    wire term_21 = catch_fragment_attribute_11[5] ^ catch_fragment_attribute_11[6];
-    wire term_22 = term_21 ^ catch_fragment_attribute_11[7] ^ catch_fragment_attribute_11[8];
-    wire term_23 = catch_fragment_attribute_11[9] ^ catch_fragment_attribute_11[10];
-    wire term_24 = term_23 ^ catch_fragment_attribute_11[11] ^ catch_fragment_attribute_11[12];
-    wire term_25 = catch_fragment_attribute_11[13] ^ catch_fragment_attribute_11[14];
-    wire term_26 = term_25 ^ catch_fragment_attribute_11[15] ^ catch_fragment_attribute_10[0];
-    wire term_27 = catch_fragment_attribute_10[1] ^ catch_fragment_attribute_10[2];
-    wire term_28 = term_27 ^ catch_fragment_attribute_10[3] ^ catch_fragment_attribute_10[4];
-    wire term_29 = catch_fragment_attribute_10[5] ^ catch_fragment_attribute_10[6];
-    wire term_30 = term_29 ^ catch_fragment_attribute_10[7] ^ catch_fragment_attribute_10[8];
-    wire term_31 = catch_fragment_attribute_10[9] ^ catch_fragment_attribute_10[10];
-    wire term_32 = term_31 ^ catch_fragment_attribute_10[11] ^ catch_fragment_attribute_10[12];
-    wire term_33 = catch_fragment_attribute_10[13] ^ catch_fragment_attribute_10[14];
-    wire term_34 = term_33 ^ catch_fragment_attribute_10[15] ^ catch_fragment_attribute_9[0];
-    wire term_35 = catch_fragment_attribute_9[1] ^ catch_fragment_attribute_9[2];
-    wire term_36 = term_35 ^ catch_fragment_attribute_9[3] ^ catch_fragment_attribute_9[4];
-    wire term_37 = catch_fragment_attribute_9[5] ^ catch_fragment_attribute_9[6];
-    wire term_38 = term_37 ^ catch_fragment_attribute_9[7] ^ catch_fragment_attribute_9[8];
-    wire term_39 = catch_fragment_attribute_9[9] ^ catch_fragment_attribute_9[10];
-    wire term_40 = term_39 ^ catch_fragment_attribute_9[11] ^ catch_fragment_attribute_9[12];
-    wire term_41 = catch_fragment_attribute_9[13] ^ catch_fragment_attribute_9[14];
-    wire term_42 = term_41 ^ catch_fragment_attribute_9[15] ^ catch_fragment_attribute_8[0];
-    wire term_43 = catch_fragment_attribute_8[1] ^ catch_fragment_attribute_8[2];
-    wire term_44 = term_43 ^ catch_fragment_attribute_8[3] ^ catch_fragment_attribute_8[4];
-    wire term_45 = catch_fragment_attribute_8[5] ^ catch_fragment_attribute_8[6];
-    wire term_46 = term_45 ^ catch_fragment_attribute_8[7] ^ catch_fragment_attribute_8[8];
-    wire term_47 = catch_fragment_attribute_8[9] ^ catch_fragment_attribute_8[10];
-    wire term_48 = term_47 ^ catch_fragment_attribute_8[11] ^ catch_fragment_attribute_8[12];
-    wire term_49 = catch_fragment_attribute_8[13] ^ catch_fragment_attribute_8[14];
-    wire term_50 = term_49 ^ catch_fragment_attribute_8[15] ^ catch_fragment_attribute_7[0];
-    wire term_51 = catch_fragment_attribute_7[1] ^ catch_fragment_attribute_7[2];
-    wire term_52 = term_51 ^ catch_fragment_attribute_7[3] ^ catch_fragment_attribute_7[4];
-    wire term_53 = catch_fragment_attribute_7[5] ^ catch_fragment_attribute_7[6];
-    wire term_54 = term_53 ^ catch_fragment_attribute_7[7] ^ catch_fragment_attribute_7[8];
-    wire term_55 = catch_fragment_attribute_7[9] ^ catch_fragment_attribute_7[10];
-    wire term_56 = term_55 ^ catch_fragment_attribute_7[11] ^ catch_fragment_attribute_7[12];
-    wire term_57 = catch_fragment_attribute_7[13] ^ catch_fragment_attribute_7[14];
-    wire term_58 = term_57 ^ catch_fragment_attribute_7[15] ^ catch_fragment_attribute_6[0];
-    wire term_59 = catch_fragment_attribute_6[1] ^ catch_fragment_attribute_6[2];
-    wire term_60 = term_59 ^ catch_fragment_attribute_6[3] ^ catch_fragment_attribute_6[4];
-    wire term_61 = catch_fragment_attribute_6[5] ^ catch_fragment_attribute_6[6];
-    wire term_62 = term_61 ^ catch_fragment_attribute_6[7] ^ catch_fragment_attribute_6[8];
-    wire term_63 = catch_fragment_attribute_6[9] ^ catch_fragment_attribute_6[10];
-    wire term_64 = term_63 ^ catch_fragment_attribute_6[11] ^ catch_fragment_attribute_6[12];
-    wire term_65 = catch_fragment_attribute_6[13] ^ catch_fragment_attribute_6[14];
-    wire term_66 = term_65 ^ catch_fragment_attribute_6[15] ^ catch_fragment_attribute_5[0];
-    wire term_67 = catch_fragment_attribute_5[1] ^ catch_fragment_attribute_5[2];
-    wire term_68 = term_67 ^ catch_fragment_attribute_5[3] ^ catch_fragment_attribute_5[4];
-    wire term_69 = catch_fragment_attribute_5[5] ^ catch_fragment_attribute_5[6];
-    wire term_70 = term_69 ^ catch_fragment_attribute_5[7] ^ catch_fragment_attribute_5[8];
-    wire term_71 = catch_fragment_attribute_5[9] ^ catch_fragment_attribute_5[10];
-    wire term_72 = term_71 ^ catch_fragment_attribute_5[11] ^ catch_fragment_attribute_5[12];
-    wire term_73 = catch_fragment_attribute_5[13] ^ catch_fragment_attribute_5[14];
-    wire term_74 = term_73 ^ catch_fragment_attribute_5[15] ^ catch_fragment_attribute_4[0];
-    wire term_75 = catch_fragment_attribute_4[1] ^ catch_fragment_attribute_4[2];
-    wire term_76 = term_75 ^ catch_fragment_attribute_4[3] ^ catch_fragment_attribute_4[4];
-    wire term_77 = catch_fragment_attribute_4[5] ^ catch_fragment_attribute_4[6];
-    wire term_78 = term_77 ^ catch_fragment_attribute_4[7] ^ catch_fragment_attribute_4[8];
-    wire term_79 = catch_fragment_attribute_4[9] ^ catch_fragment_attribute_4[10];
-    wire term_80 = term_79 ^ catch_fragment_attribute_4[11] ^ catch_fragment_attribute_4[12];
-    wire term_81 = catch_fragment_attribute_4[13] ^ catch_fragment_attribute_4[14];
-    wire term_82 = term_81 ^ catch_fragment_attribute_4[15] ^ catch_fragment_attribute_3[0];
-    wire term_83 = catch_fragment_attribute_3[1] ^ catch_fragment_attribute_3[2];
-    wire term_84 = term_83 ^ catch_fragment_attribute_3[3] ^ catch_fragment_attribute_3[4];
-    wire term_85 = catch_fragment_attribute_3[5] ^ catch_fragment_attribute_3[6];
-    wire term_86 = term_85 ^ catch_fragment_attribute_3[7] ^ catch_fragment_attribute_3[8];
-    wire term_87 = catch_fragment_attribute_3[9] ^ catch_fragment_attribute_3[10];
-    wire term_88 = term_87 ^ catch_fragment_attribute_3[11] ^ catch_fragment_attribute_3[12];
-    wire term_89 = catch_fragment_attribute_3[13] ^ catch_fragment_attribute_3[14];
-    wire term_90 = term_89 ^ catch_fragment_attribute_3[15] ^ catch_fragment_attribute_2[0];
-    wire term_91 = catch_fragment_attribute_2[1] ^ catch_fragment_attribute_2[2];
-    wire term_92 = term_91 ^ catch_fragment_attribute_2[3] ^ catch_fragment_attribute_2[4];
-    wire term_93 = catch_fragment_attribute_2[5] ^ catch_fragment_attribute_2[6];
-    wire term_94 = term_93 ^ catch_fragment_attribute_2[7] ^ catch_fragment_attribute_2[8];
-    wire term_95 = catch_fragment_attribute_2[9] ^ catch_fragment_attribute_2[10];
-    wire term_96 = term_95 ^ catch_fragment_attribute_2[11] ^ catch_fragment_attribute_2[12];
-    wire term_97 = catch_fragment_attribute_2[13] ^ catch_fragment_attribute_2[14];
-    wire term_98 = term_97 ^ catch_fragment_attribute_2[15] ^ catch_fragment_attribute_1[0];
-    wire term_99 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2];
-    wire term_100 = term_99 ^ catch_fragment_attribute_1[3] ^ catch_fragment_attribute_1[4];
-    wire term_101 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6];
-    wire term_102 = term_101 ^ catch_fragment_attribute_1[7] ^ catch_fragment_attribute_1[8];
-    wire term_103 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10];
-    wire term_104 = term_103 ^ catch_fragment_attribute_1[11] ^ catch_fragment_attribute_1[12];
-    wire term_105 = catch_fragment_attribute_1[13] ^ catch_fragment_attribute_1[14];
-    wire term_106 = term_105 ^ catch_fragment_attribute_1[15] ^ catch_fragment_attribute_0[0];
-    wire term_107 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2];
-    wire term_108 = term_107 ^ catch_fragment_attribute_0[3] ^ catch_fragment_attribute_0[4];
-    wire term_109 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6];
-    wire term_110 = term_109 ^ catch_fragment_attribute_0[7] ^ catch_fragment_attribute_0[8];
-    wire term_111 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10];
-    wire term_112 = term_111 ^ catch_fragment_attribute_0[11] ^ catch_fragment_attribute_0[12];
-    wire term_113 = catch_fragment_attribute_0[13] ^ catch_fragment_attribute_0[14];
-    wire term_114 = term_113 ^ catch_fragment_attribute_0[15] ^ catch_fragment_depth[0];
-    wire term_115 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
-    wire term_116 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
-    wire term_117 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
-    wire term_118 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
-    wire term_119 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
-    wire term_120 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
-    wire term_121 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
-    wire term_122 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_row[7];
-    wire term_123 = catch_fragment_column[0] ^ catch_fragment_column[1] ^ catch_fragment_column[2];
-    wire term_124 = catch_fragment_column[4] ^ catch_fragment_column[5] ^ catch_fragment_column[6];
-    wire term_125 = catch_fragment_column[8] ^ catch_fragment_end ^ catch_fragment_valid;
-    wire term_126 = catch_write_cardinal_0[1] ^ catch_write_cardinal_0[2] ^ catch_write_cardinal_0[3];
-    wire term_127 = catch_write_cardinal_0[5] ^ catch_write_cardinal_0[6] ^ catch_write_cardinal_0[7];
-    wire term_128 = catch_write_cardinal_0[9] ^ catch_write_cardinal_0[10] ^ catch_write_cardinal_0[11];
-    wire term_129 = catch_write_cardinal_0[13] ^ catch_write_cardinal_0[14] ^ catch_write_cardinal_0[15];
-    wire term_130 = catch_write_attribute_12[1] ^ catch_write_attribute_12[2];
-    wire term_131 = term_130 ^ catch_write_attribute_12[3] ^ catch_write_attribute_12[4];
-    wire term_132 = catch_write_attribute_12[5] ^ catch_write_attribute_12[6];
-    wire term_133 = term_132 ^ catch_write_attribute_12[7] ^ catch_write_attribute_12[8];
-    wire term_134 = catch_write_attribute_12[9] ^ catch_write_attribute_12[10];
-    wire term_135 = term_134 ^ catch_write_attribute_12[11] ^ catch_write_attribute_12[12];
-    wire term_136 = catch_write_attribute_12[13] ^ catch_write_attribute_12[14];
-    wire term_137 = term_136 ^ catch_write_attribute_12[15] ^ catch_write_attribute_11[0];
-    wire term_138 = catch_write_attribute_11[1] ^ catch_write_attribute_11[2];
-    wire term_139 = term_138 ^ catch_write_attribute_11[3] ^ catch_write_attribute_11[4];
-    wire term_140 = catch_write_attribute_11[5] ^ catch_write_attribute_11[6];
-    wire term_141 = term_140 ^ catch_write_attribute_11[7] ^ catch_write_attribute_11[8];
-    wire term_142 = catch_write_attribute_11[9] ^ catch_write_attribute_11[10];
-    wire term_143 = term_142 ^ catch_write_attribute_11[11] ^ catch_write_attribute_11[12];
-    wire term_144 = catch_write_attribute_11[13] ^ catch_write_attribute_11[14];
-    wire term_145 = term_144 ^ catch_write_attribute_11[15] ^ catch_write_attribute_10[0];
-    wire term_146 = catch_write_attribute_10[1] ^ catch_write_attribute_10[2];
-    wire term_147 = term_146 ^ catch_write_attribute_10[3] ^ catch_write_attribute_10[4];
-    wire term_148 = catch_write_attribute_10[5] ^ catch_write_attribute_10[6];
-    wire term_149 = term_148 ^ catch_write_attribute_10[7] ^ catch_write_attribute_10[8];
-    wire term_150 = catch_write_attribute_10[9] ^ catch_write_attribute_10[10];
-    wire term_151 = term_150 ^ catch_write_attribute_10[11] ^ catch_write_attribute_10[12];
-    wire term_152 = catch_write_attribute_10[13] ^ catch_write_attribute_10[14];
-    wire term_153 = term_152 ^ catch_write_attribute_10[15] ^ catch_write_attribute_9[0];
-    wire term_154 = catch_write_attribute_9[1] ^ catch_write_attribute_9[2] ^ catch_write_attribute_9[3];
-    wire term_155 = catch_write_attribute_9[5] ^ catch_write_attribute_9[6] ^ catch_write_attribute_9[7];
-    wire term_156 = catch_write_attribute_9[9] ^ catch_write_attribute_9[10] ^ catch_write_attribute_9[11];
-    wire term_157 = catch_write_attribute_9[13] ^ catch_write_attribute_9[14];
-    wire term_158 = term_157 ^ catch_write_attribute_9[15] ^ catch_write_attribute_8[0];
-    wire term_159 = catch_write_attribute_8[1] ^ catch_write_attribute_8[2] ^ catch_write_attribute_8[3];
-    wire term_160 = catch_write_attribute_8[5] ^ catch_write_attribute_8[6] ^ catch_write_attribute_8[7];
-    wire term_161 = catch_write_attribute_8[9] ^ catch_write_attribute_8[10] ^ catch_write_attribute_8[11];
-    wire term_162 = catch_write_attribute_8[13] ^ catch_write_attribute_8[14];
-    wire term_163 = term_162 ^ catch_write_attribute_8[15] ^ catch_write_attribute_7[0];
-    wire term_164 = catch_write_attribute_7[1] ^ catch_write_attribute_7[2] ^ catch_write_attribute_7[3];
-    wire term_165 = catch_write_attribute_7[5] ^ catch_write_attribute_7[6] ^ catch_write_attribute_7[7];
-    wire term_166 = catch_write_attribute_7[9] ^ catch_write_attribute_7[10] ^ catch_write_attribute_7[11];
-    wire term_167 = catch_write_attribute_7[13] ^ catch_write_attribute_7[14];
-    wire term_168 = term_167 ^ catch_write_attribute_7[15] ^ catch_write_attribute_6[0];
-    wire term_169 = catch_write_attribute_6[1] ^ catch_write_attribute_6[2] ^ catch_write_attribute_6[3];
-    wire term_170 = catch_write_attribute_6[5] ^ catch_write_attribute_6[6] ^ catch_write_attribute_6[7];
-    wire term_171 = catch_write_attribute_6[9] ^ catch_write_attribute_6[10] ^ catch_write_attribute_6[11];
-    wire term_172 = catch_write_attribute_6[13] ^ catch_write_attribute_6[14];
-    wire term_173 = term_172 ^ catch_write_attribute_6[15] ^ catch_write_attribute_5[0];
-    wire term_174 = catch_write_attribute_5[1] ^ catch_write_attribute_5[2] ^ catch_write_attribute_5[3];
-    wire term_175 = catch_write_attribute_5[5] ^ catch_write_attribute_5[6] ^ catch_write_attribute_5[7];
-    wire term_176 = catch_write_attribute_5[9] ^ catch_write_attribute_5[10] ^ catch_write_attribute_5[11];
-    wire term_177 = catch_write_attribute_5[13] ^ catch_write_attribute_5[14];
-    wire term_178 = term_177 ^ catch_write_attribute_5[15] ^ catch_write_attribute_4[0];
-    wire term_179 = catch_write_attribute_4[1] ^ catch_write_attribute_4[2] ^ catch_write_attribute_4[3];
-    wire term_180 = catch_write_attribute_4[5] ^ catch_write_attribute_4[6] ^ catch_write_attribute_4[7];
-    wire term_181 = catch_write_attribute_4[9] ^ catch_write_attribute_4[10] ^ catch_write_attribute_4[11];
-    wire term_182 = catch_write_attribute_4[13] ^ catch_write_attribute_4[14];
-    wire term_183 = term_182 ^ catch_write_attribute_4[15] ^ catch_write_attribute_3[0];
-    wire term_184 = catch_write_attribute_3[1] ^ catch_write_attribute_3[2] ^ catch_write_attribute_3[3];
-    wire term_185 = catch_write_attribute_3[5] ^ catch_write_attribute_3[6] ^ catch_write_attribute_3[7];
-    wire term_186 = catch_write_attribute_3[9] ^ catch_write_attribute_3[10] ^ catch_write_attribute_3[11];
-    wire term_187 = catch_write_attribute_3[13] ^ catch_write_attribute_3[14];
-    wire term_188 = term_187 ^ catch_write_attribute_3[15] ^ catch_write_attribute_2[0];
-    wire term_189 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
-    wire term_190 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
-    wire term_191 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
-    wire term_192 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14];
-    wire term_193 = term_192 ^ catch_write_attribute_2[15] ^ catch_write_attribute_1[0];
-    wire term_194 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
-    wire term_195 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
-    wire term_196 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
-    wire term_197 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14];
-    wire term_198 = term_197 ^ catch_write_attribute_1[15] ^ catch_write_attribute_0[0];
-    wire term_199 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
-    wire term_200 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
-    wire term_201 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
-    wire term_202 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14];
-    wire term_203 = term_202 ^ catch_write_attribute_0[15] ^ catch_write_peak[0];
-    wire term_204 = catch_write_peak[1] ^ catch_write_peak[2] ^ catch_write_peak[3];
-    wire term_205 = catch_write_peak[5] ^ catch_write_peak[6] ^ catch_write_peak[7];
-    wire term_206 = catch_write_peak[9] ^ catch_write_peak[10] ^ catch_write_peak[11];
-    wire term_207 = catch_write_peak[13] ^ catch_write_peak[14] ^ catch_write_peak[15];
-    wire term_208 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
-    wire term_209 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
-    wire term_210 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
-    wire term_211 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
-    wire term_212 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
-    wire term_213 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
-    wire term_214 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
-    wire term_215 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
-    wire term_216 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
-    wire term_217 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
-    wire term_218 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
-    wire term_219 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
-    wire term_220 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
-    wire term_221 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
-    wire term_222 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
-    wire term_223 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
-    wire term_224 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
-    wire term_225 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
-    wire term_226 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
-    wire term_227 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
-    wire term_228 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
-    wire term_229 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1];
-    wire term_230 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5];
-    wire term_231 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9];
-    wire term_232 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready;
-    wire term_233 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3];
-    wire term_234 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7];
-    wire term_235 = catch_read_tile[9] ^ catch_read_tile[10] ^ catch_read_tile[11];
+    wire fold_0_unequal = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
+    wire fold_0_unequal_2 = catch_event_blocked ^ catch_event_starved ^ catch_event_sample ^ catch_fragment_cardinal_0[0];
+    wire fold_0_unequal_3 = catch_fragment_cardinal_0[1] ^ catch_fragment_cardinal_0[2] ^ catch_fragment_cardinal_0[3];
+    wire fold_0_unequal_4 = catch_fragment_cardinal_0[5] ^ catch_fragment_cardinal_0[6] ^ catch_fragment_cardinal_0[7];
+    wire fold_0_unequal_5 = catch_fragment_cardinal_0[9] ^ catch_fragment_cardinal_0[10] ^ catch_fragment_cardinal_0[11];
+    wire fold_0_unequal_6 = catch_fragment_cardinal_0[13] ^ catch_fragment_cardinal_0[14] ^ catch_fragment_cardinal_0[15];
+    wire fold_0_unequal_7 = catch_fragment_attribute_12[1] ^ catch_fragment_attribute_12[2] ^ catch_fragment_attribute_12[3];
+    wire fold_0_unequal_8 = catch_fragment_attribute_12[5] ^ catch_fragment_attribute_12[6] ^ catch_fragment_attribute_12[7];
+    wire fold_0_unequal_9 = catch_fragment_attribute_12[9] ^ catch_fragment_attribute_12[10] ^ catch_fragment_attribute_12[11];
+    wire fold_0_unequal_10 = catch_fragment_attribute_12[13] ^ catch_fragment_attribute_12[14];
+    wire fold_0_unequal_11 = fold_0_unequal_10 ^ catch_fragment_attribute_12[15] ^ catch_fragment_attribute_11[0];
+    wire fold_0_unequal_12 = catch_fragment_attribute_11[1] ^ catch_fragment_attribute_11[2] ^ catch_fragment_attribute_11[3];
+    wire fold_0_unequal_13 = catch_fragment_attribute_11[5] ^ catch_fragment_attribute_11[6] ^ catch_fragment_attribute_11[7];
+    wire fold_0_unequal_14 = catch_fragment_attribute_11[9] ^ catch_fragment_attribute_11[10] ^ catch_fragment_attribute_11[11];
+    wire fold_0_unequal_15 = catch_fragment_attribute_11[13] ^ catch_fragment_attribute_11[14];
+    wire fold_0_unequal_16 = fold_0_unequal_15 ^ catch_fragment_attribute_11[15] ^ catch_fragment_attribute_10[0];
+    wire fold_0_unequal_17 = catch_fragment_attribute_10[1] ^ catch_fragment_attribute_10[2] ^ catch_fragment_attribute_10[3];
+    wire fold_0_unequal_18 = catch_fragment_attribute_10[5] ^ catch_fragment_attribute_10[6] ^ catch_fragment_attribute_10[7];
+    wire fold_0_unequal_19 = catch_fragment_attribute_10[9] ^ catch_fragment_attribute_10[10] ^ catch_fragment_attribute_10[11];
+    wire fold_0_unequal_20 = catch_fragment_attribute_10[13] ^ catch_fragment_attribute_10[14];
+    wire fold_0_unequal_21 = fold_0_unequal_20 ^ catch_fragment_attribute_10[15] ^ catch_fragment_attribute_9[0];
+    wire fold_0_unequal_22 = catch_fragment_attribute_9[1] ^ catch_fragment_attribute_9[2] ^ catch_fragment_attribute_9[3];
+    wire fold_0_unequal_23 = catch_fragment_attribute_9[5] ^ catch_fragment_attribute_9[6] ^ catch_fragment_attribute_9[7];
+    wire fold_0_unequal_24 = catch_fragment_attribute_9[9] ^ catch_fragment_attribute_9[10] ^ catch_fragment_attribute_9[11];
+    wire fold_0_unequal_25 = catch_fragment_attribute_9[13] ^ catch_fragment_attribute_9[14] ^ catch_fragment_attribute_9[15];
+    wire fold_0_unequal_26 = catch_fragment_attribute_8[1] ^ catch_fragment_attribute_8[2] ^ catch_fragment_attribute_8[3];
+    wire fold_0_unequal_27 = catch_fragment_attribute_8[5] ^ catch_fragment_attribute_8[6] ^ catch_fragment_attribute_8[7];
+    wire fold_0_unequal_28 = catch_fragment_attribute_8[9] ^ catch_fragment_attribute_8[10] ^ catch_fragment_attribute_8[11];
+    wire fold_0_unequal_29 = catch_fragment_attribute_8[13] ^ catch_fragment_attribute_8[14] ^ catch_fragment_attribute_8[15];
+    wire fold_0_unequal_30 = catch_fragment_attribute_7[1] ^ catch_fragment_attribute_7[2] ^ catch_fragment_attribute_7[3];
+    wire fold_0_unequal_31 = catch_fragment_attribute_7[5] ^ catch_fragment_attribute_7[6] ^ catch_fragment_attribute_7[7];
+    wire fold_0_unequal_32 = catch_fragment_attribute_7[9] ^ catch_fragment_attribute_7[10] ^ catch_fragment_attribute_7[11];
+    wire fold_0_unequal_33 = catch_fragment_attribute_7[13] ^ catch_fragment_attribute_7[14] ^ catch_fragment_attribute_7[15];
+    wire fold_0_unequal_34 = catch_fragment_attribute_6[1] ^ catch_fragment_attribute_6[2] ^ catch_fragment_attribute_6[3];
+    wire fold_0_unequal_35 = catch_fragment_attribute_6[5] ^ catch_fragment_attribute_6[6] ^ catch_fragment_attribute_6[7];
+    wire fold_0_unequal_36 = catch_fragment_attribute_6[9] ^ catch_fragment_attribute_6[10] ^ catch_fragment_attribute_6[11];
+    wire fold_0_unequal_37 = catch_fragment_attribute_6[13] ^ catch_fragment_attribute_6[14] ^ catch_fragment_attribute_6[15];
+    wire fold_0_unequal_38 = catch_fragment_attribute_5[1] ^ catch_fragment_attribute_5[2] ^ catch_fragment_attribute_5[3];
+    wire fold_0_unequal_39 = catch_fragment_attribute_5[5] ^ catch_fragment_attribute_5[6] ^ catch_fragment_attribute_5[7];
+    wire fold_0_unequal_40 = catch_fragment_attribute_5[9] ^ catch_fragment_attribute_5[10] ^ catch_fragment_attribute_5[11];
+    wire fold_0_unequal_41 = catch_fragment_attribute_5[13] ^ catch_fragment_attribute_5[14] ^ catch_fragment_attribute_5[15];
+    wire fold_0_unequal_42 = catch_fragment_attribute_4[1] ^ catch_fragment_attribute_4[2] ^ catch_fragment_attribute_4[3];
+    wire fold_0_unequal_43 = catch_fragment_attribute_4[5] ^ catch_fragment_attribute_4[6] ^ catch_fragment_attribute_4[7];
+    wire fold_0_unequal_44 = catch_fragment_attribute_4[9] ^ catch_fragment_attribute_4[10] ^ catch_fragment_attribute_4[11];
+    wire fold_0_unequal_45 = catch_fragment_attribute_4[13] ^ catch_fragment_attribute_4[14] ^ catch_fragment_attribute_4[15];
+    wire fold_0_unequal_46 = catch_fragment_attribute_3[1] ^ catch_fragment_attribute_3[2] ^ catch_fragment_attribute_3[3];
+    wire fold_0_unequal_47 = catch_fragment_attribute_3[5] ^ catch_fragment_attribute_3[6] ^ catch_fragment_attribute_3[7];
+    wire fold_0_unequal_48 = catch_fragment_attribute_3[9] ^ catch_fragment_attribute_3[10] ^ catch_fragment_attribute_3[11];
+    wire fold_0_unequal_49 = catch_fragment_attribute_3[13] ^ catch_fragment_attribute_3[14] ^ catch_fragment_attribute_3[15];
+    wire fold_0_unequal_50 = catch_fragment_attribute_2[1] ^ catch_fragment_attribute_2[2] ^ catch_fragment_attribute_2[3];
+    wire fold_0_unequal_51 = catch_fragment_attribute_2[5] ^ catch_fragment_attribute_2[6] ^ catch_fragment_attribute_2[7];
+    wire fold_0_unequal_52 = catch_fragment_attribute_2[9] ^ catch_fragment_attribute_2[10] ^ catch_fragment_attribute_2[11];
+    wire fold_0_unequal_53 = catch_fragment_attribute_2[13] ^ catch_fragment_attribute_2[14] ^ catch_fragment_attribute_2[15];
+    wire fold_0_unequal_54 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2] ^ catch_fragment_attribute_1[3];
+    wire fold_0_unequal_55 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6] ^ catch_fragment_attribute_1[7];
+    wire fold_0_unequal_56 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10] ^ catch_fragment_attribute_1[11];
+    wire fold_0_unequal_57 = catch_fragment_attribute_1[13] ^ catch_fragment_attribute_1[14] ^ catch_fragment_attribute_1[15];
+    wire fold_0_unequal_58 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2] ^ catch_fragment_attribute_0[3];
+    wire fold_0_unequal_59 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6] ^ catch_fragment_attribute_0[7];
+    wire fold_0_unequal_60 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10] ^ catch_fragment_attribute_0[11];
+    wire fold_0_unequal_61 = catch_fragment_attribute_0[13] ^ catch_fragment_attribute_0[14] ^ catch_fragment_attribute_0[15];
+    wire fold_0_unequal_62 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
+    wire fold_0_unequal_63 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
+    wire fold_0_unequal_64 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
+    wire fold_0_unequal_65 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
+    wire fold_0_unequal_66 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
+    wire fold_0_unequal_67 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
+    wire fold_0_unequal_68 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
+    wire fold_0_unequal_69 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_row[7];
+    wire fold_0_unequal_70 = catch_fragment_column[0] ^ catch_fragment_column[1] ^ catch_fragment_column[2];
+    wire fold_0_unequal_71 = catch_fragment_column[4] ^ catch_fragment_column[5] ^ catch_fragment_column[6];
+    wire fold_0_unequal_72 = catch_fragment_column[8] ^ catch_fragment_end ^ catch_fragment_valid;
+    wire fold_0_unequal_73 = catch_write_cardinal_0[1] ^ catch_write_cardinal_0[2] ^ catch_write_cardinal_0[3];
+    wire fold_0_unequal_74 = catch_write_cardinal_0[5] ^ catch_write_cardinal_0[6] ^ catch_write_cardinal_0[7];
+    wire fold_0_unequal_75 = catch_write_cardinal_0[9] ^ catch_write_cardinal_0[10] ^ catch_write_cardinal_0[11];
+    wire fold_0_unequal_76 = catch_write_cardinal_0[13] ^ catch_write_cardinal_0[14] ^ catch_write_cardinal_0[15];
+    wire fold_0_unequal_77 = catch_write_attribute_12[1] ^ catch_write_attribute_12[2] ^ catch_write_attribute_12[3];
+    wire fold_0_unequal_78 = catch_write_attribute_12[5] ^ catch_write_attribute_12[6] ^ catch_write_attribute_12[7];
+    wire fold_0_unequal_79 = catch_write_attribute_12[9] ^ catch_write_attribute_12[10] ^ catch_write_attribute_12[11];
+    wire fold_0_unequal_80 = catch_write_attribute_12[13] ^ catch_write_attribute_12[14] ^ catch_write_attribute_12[15];
+    wire fold_0_unequal_81 = catch_write_attribute_11[1] ^ catch_write_attribute_11[2] ^ catch_write_attribute_11[3];
+    wire fold_0_unequal_82 = catch_write_attribute_11[5] ^ catch_write_attribute_11[6] ^ catch_write_attribute_11[7];
+    wire fold_0_unequal_83 = catch_write_attribute_11[9] ^ catch_write_attribute_11[10] ^ catch_write_attribute_11[11];
+    wire fold_0_unequal_84 = catch_write_attribute_11[13] ^ catch_write_attribute_11[14] ^ catch_write_attribute_11[15];
+    wire fold_0_unequal_85 = catch_write_attribute_10[1] ^ catch_write_attribute_10[2] ^ catch_write_attribute_10[3];
+    wire fold_0_unequal_86 = catch_write_attribute_10[5] ^ catch_write_attribute_10[6] ^ catch_write_attribute_10[7];
+    wire fold_0_unequal_87 = catch_write_attribute_10[9] ^ catch_write_attribute_10[10] ^ catch_write_attribute_10[11];
+    wire fold_0_unequal_88 = catch_write_attribute_10[13] ^ catch_write_attribute_10[14] ^ catch_write_attribute_10[15];
+    wire fold_0_unequal_89 = catch_write_attribute_9[1] ^ catch_write_attribute_9[2] ^ catch_write_attribute_9[3];
+    wire fold_0_unequal_90 = catch_write_attribute_9[5] ^ catch_write_attribute_9[6] ^ catch_write_attribute_9[7];
+    wire fold_0_unequal_91 = catch_write_attribute_9[9] ^ catch_write_attribute_9[10] ^ catch_write_attribute_9[11];
+    wire fold_0_unequal_92 = catch_write_attribute_9[13] ^ catch_write_attribute_9[14] ^ catch_write_attribute_9[15];
+    wire fold_0_unequal_93 = catch_write_attribute_8[1] ^ catch_write_attribute_8[2] ^ catch_write_attribute_8[3];
+    wire fold_0_unequal_94 = catch_write_attribute_8[5] ^ catch_write_attribute_8[6] ^ catch_write_attribute_8[7];
+    wire fold_0_unequal_95 = catch_write_attribute_8[9] ^ catch_write_attribute_8[10] ^ catch_write_attribute_8[11];
+    wire fold_0_unequal_96 = catch_write_attribute_8[13] ^ catch_write_attribute_8[14] ^ catch_write_attribute_8[15];
+    wire fold_0_unequal_97 = catch_write_attribute_7[1] ^ catch_write_attribute_7[2] ^ catch_write_attribute_7[3];
+    wire fold_0_unequal_98 = catch_write_attribute_7[5] ^ catch_write_attribute_7[6] ^ catch_write_attribute_7[7];
+    wire fold_0_unequal_99 = catch_write_attribute_7[9] ^ catch_write_attribute_7[10] ^ catch_write_attribute_7[11];
+    wire fold_0_unequal_100 = catch_write_attribute_7[13] ^ catch_write_attribute_7[14] ^ catch_write_attribute_7[15];
+    wire fold_0_unequal_101 = catch_write_attribute_6[1] ^ catch_write_attribute_6[2] ^ catch_write_attribute_6[3];
+    wire fold_0_unequal_102 = catch_write_attribute_6[5] ^ catch_write_attribute_6[6] ^ catch_write_attribute_6[7];
+    wire fold_0_unequal_103 = catch_write_attribute_6[9] ^ catch_write_attribute_6[10] ^ catch_write_attribute_6[11];
+    wire fold_0_unequal_104 = catch_write_attribute_6[13] ^ catch_write_attribute_6[14] ^ catch_write_attribute_6[15];
+    wire fold_0_unequal_105 = catch_write_attribute_5[1] ^ catch_write_attribute_5[2] ^ catch_write_attribute_5[3];
+    wire fold_0_unequal_106 = catch_write_attribute_5[5] ^ catch_write_attribute_5[6] ^ catch_write_attribute_5[7];
+    wire fold_0_unequal_107 = catch_write_attribute_5[9] ^ catch_write_attribute_5[10] ^ catch_write_attribute_5[11];
+    wire fold_0_unequal_108 = catch_write_attribute_5[13] ^ catch_write_attribute_5[14] ^ catch_write_attribute_5[15];
+    wire fold_0_unequal_109 = catch_write_attribute_4[1] ^ catch_write_attribute_4[2] ^ catch_write_attribute_4[3];
+    wire fold_0_unequal_110 = catch_write_attribute_4[5] ^ catch_write_attribute_4[6] ^ catch_write_attribute_4[7];
+    wire fold_0_unequal_111 = catch_write_attribute_4[9] ^ catch_write_attribute_4[10] ^ catch_write_attribute_4[11];
+    wire fold_0_unequal_112 = catch_write_attribute_4[13] ^ catch_write_attribute_4[14] ^ catch_write_attribute_4[15];
+    wire fold_0_unequal_113 = catch_write_attribute_3[1] ^ catch_write_attribute_3[2] ^ catch_write_attribute_3[3];
+    wire fold_0_unequal_114 = catch_write_attribute_3[5] ^ catch_write_attribute_3[6] ^ catch_write_attribute_3[7];
+    wire fold_0_unequal_115 = catch_write_attribute_3[9] ^ catch_write_attribute_3[10] ^ catch_write_attribute_3[11];
+    wire fold_0_unequal_116 = catch_write_attribute_3[13] ^ catch_write_attribute_3[14] ^ catch_write_attribute_3[15];
+    wire fold_0_unequal_117 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
+    wire fold_0_unequal_118 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
+    wire fold_0_unequal_119 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
+    wire fold_0_unequal_120 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14] ^ catch_write_attribute_2[15];
+    wire fold_0_unequal_121 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
+    wire fold_0_unequal_122 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
+    wire fold_0_unequal_123 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
+    wire fold_0_unequal_124 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14] ^ catch_write_attribute_1[15];
+    wire fold_0_unequal_125 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
+    wire fold_0_unequal_126 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
+    wire fold_0_unequal_127 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
+    wire fold_0_unequal_128 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14] ^ catch_write_attribute_0[15];
+    wire fold_0_unequal_129 = catch_write_peak[1] ^ catch_write_peak[2] ^ catch_write_peak[3] ^ catch_write_peak[4];
+    wire fold_0_unequal_130 = catch_write_peak[5] ^ catch_write_peak[6] ^ catch_write_peak[7] ^ catch_write_peak[8];
+    wire fold_0_unequal_131 = catch_write_peak[9] ^ catch_write_peak[10] ^ catch_write_peak[11];
+    wire fold_0_unequal_132 = catch_write_peak[13] ^ catch_write_peak[14] ^ catch_write_peak[15];
+    wire fold_0_unequal_133 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
+    wire fold_0_unequal_134 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
+    wire fold_0_unequal_135 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
+    wire fold_0_unequal_136 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
+    wire fold_0_unequal_137 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
+    wire fold_0_unequal_138 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
+    wire fold_0_unequal_139 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
+    wire fold_0_unequal_140 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
+    wire fold_0_unequal_141 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
+    wire fold_0_unequal_142 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
+    wire fold_0_unequal_143 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
+    wire fold_0_unequal_144 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
+    wire fold_0_unequal_145 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
+    wire fold_0_unequal_146 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
+    wire fold_0_unequal_147 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
+    wire fold_0_unequal_148 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
+    wire fold_0_unequal_149 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
+    wire fold_0_unequal_150 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
+    wire fold_0_unequal_151 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
+    wire fold_0_unequal_152 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
+    wire fold_0_unequal_153 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
+    wire fold_0_unequal_154 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1] ^ catch_write_tile[2];
+    wire fold_0_unequal_155 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5] ^ catch_write_tile[6];
+    wire fold_0_unequal_156 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9] ^ catch_write_tile[10];
+    wire fold_0_unequal_157 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready ^ catch_read_tile[0];
+    wire fold_0_unequal_158 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3] ^ catch_read_tile[4];
+    wire fold_0_unequal_159 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7] ^ catch_read_tile[8];
+    wire fold_0_unequal_160 = catch_read_tile[9] ^ catch_read_tile[10] ^ catch_read_tile[11] ^ catch_read_valid;
 
     assign serial_out = fold_4;
 
     splat_top unit (
-        .clk(clk), .rst(rst),
-        .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
+        .clk(clk), .rst(rst), .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
         .uniform_data(drive_uniform_data),
         .splat_valid(drive_splat_valid), .splat_ready(unit_splat_ready), .splat_end(drive_splat_end),
         .splat_center_x(drive_splat_center_x), .splat_center_y(drive_splat_center_y),
@@ -466,47 +388,84 @@ module splat_pins (
         catch_event_hazard <= unit_event_hazard;
         catch_event_slot_wait <= unit_event_slot_wait;
         fold_0 <= {
-            term_1 ^ catch_event_accumulate, term_2 ^ catch_fragment_cardinal_0[0], term_4, term_6, term_8,
-            term_10, term_12, term_14, term_16, term_18, term_20, term_22, term_24, term_26, term_28, term_30,
-            term_32, term_34, term_36, term_38, term_40, term_42, term_44, term_46, term_48, term_50, term_52,
-            term_54, term_56, term_58, term_60, term_62, term_64, term_66, term_68, term_70, term_72, term_74,
-            term_76, term_78, term_80, term_82, term_84, term_86, term_88, term_90, term_92, term_94, term_96,
-            term_98, term_100, term_102, term_104, term_106, term_108, term_110, term_112, term_114,
-            term_115 ^ catch_fragment_depth[4], term_116 ^ catch_fragment_depth[8],
-            term_117 ^ catch_fragment_depth[12], term_118 ^ catch_fragment_depth[16],
-            term_119 ^ catch_fragment_depth[20], term_120 ^ catch_fragment_row[0],
-            term_121 ^ catch_fragment_row[4], term_122 ^ catch_fragment_row[8],
-            term_123 ^ catch_fragment_column[3], term_124 ^ catch_fragment_column[7],
-            term_125 ^ catch_write_cardinal_0[0], term_126 ^ catch_write_cardinal_0[4],
-            term_127 ^ catch_write_cardinal_0[8], term_128 ^ catch_write_cardinal_0[12],
-            term_129 ^ catch_write_attribute_12[0], term_131, term_133, term_135, term_137, term_139, term_141,
-            term_143, term_145, term_147, term_149, term_151, term_153, term_154 ^ catch_write_attribute_9[4],
-            term_155 ^ catch_write_attribute_9[8], term_156 ^ catch_write_attribute_9[12], term_158,
-            term_159 ^ catch_write_attribute_8[4], term_160 ^ catch_write_attribute_8[8],
-            term_161 ^ catch_write_attribute_8[12], term_163, term_164 ^ catch_write_attribute_7[4],
-            term_165 ^ catch_write_attribute_7[8], term_166 ^ catch_write_attribute_7[12], term_168,
-            term_169 ^ catch_write_attribute_6[4], term_170 ^ catch_write_attribute_6[8],
-            term_171 ^ catch_write_attribute_6[12], term_173, term_174 ^ catch_write_attribute_5[4],
-            term_175 ^ catch_write_attribute_5[8], term_176 ^ catch_write_attribute_5[12], term_178,
-            term_179 ^ catch_write_attribute_4[4], term_180 ^ catch_write_attribute_4[8],
-            term_181 ^ catch_write_attribute_4[12], term_183, term_184 ^ catch_write_attribute_3[4],
-            term_185 ^ catch_write_attribute_3[8], term_186 ^ catch_write_attribute_3[12], term_188,
-            term_189 ^ catch_write_attribute_2[4], term_190 ^ catch_write_attribute_2[8],
-            term_191 ^ catch_write_attribute_2[12], term_193, term_194 ^ catch_write_attribute_1[4],
-            term_195 ^ catch_write_attribute_1[8], term_196 ^ catch_write_attribute_1[12], term_198,
-            term_199 ^ catch_write_attribute_0[4], term_200 ^ catch_write_attribute_0[8],
-            term_201 ^ catch_write_attribute_0[12], term_203, term_204 ^ catch_write_peak[4],
-            term_205 ^ catch_write_peak[8], term_206 ^ catch_write_peak[12], term_207 ^ catch_write_depth[0],
-            term_208 ^ catch_write_depth[4], term_209 ^ catch_write_depth[8], term_210 ^ catch_write_depth[12],
-            term_211 ^ catch_write_depth[16], term_212 ^ catch_write_depth[20], term_213 ^ catch_write_depth[24],
-            term_214 ^ catch_write_depth[28], term_215 ^ catch_write_depth[32], term_216 ^ catch_write_depth[36],
-            term_217 ^ catch_write_depth[40], term_218 ^ catch_write_depth[44], term_219 ^ catch_write_depth[48],
-            term_220 ^ catch_write_weight[0], term_221 ^ catch_write_weight[4], term_222 ^ catch_write_weight[8],
-            term_223 ^ catch_write_weight[12], term_224 ^ catch_write_weight[16],
-            term_225 ^ catch_write_weight[20], term_226 ^ catch_write_weight[24], term_227 ^ catch_write_pixel[0],
-            term_228 ^ catch_write_pixel[4], term_229 ^ catch_write_tile[2], term_230 ^ catch_write_tile[6],
-            term_231 ^ catch_write_tile[10], term_232 ^ catch_read_tile[0], term_233 ^ catch_read_tile[4],
-            term_234 ^ catch_read_tile[8], term_235 ^ catch_read_valid, catch_splat_ready
+            fold_0_unequal ^ catch_event_accumulate, fold_0_unequal_2,
+            fold_0_unequal_3 ^ catch_fragment_cardinal_0[4], fold_0_unequal_4 ^ catch_fragment_cardinal_0[8],
+            fold_0_unequal_5 ^ catch_fragment_cardinal_0[12], fold_0_unequal_6 ^ catch_fragment_attribute_12[0],
+            fold_0_unequal_7 ^ catch_fragment_attribute_12[4], fold_0_unequal_8 ^ catch_fragment_attribute_12[8],
+            fold_0_unequal_9 ^ catch_fragment_attribute_12[12], fold_0_unequal_11,
+            fold_0_unequal_12 ^ catch_fragment_attribute_11[4],
+            fold_0_unequal_13 ^ catch_fragment_attribute_11[8],
+            fold_0_unequal_14 ^ catch_fragment_attribute_11[12], fold_0_unequal_16,
+            fold_0_unequal_17 ^ catch_fragment_attribute_10[4],
+            fold_0_unequal_18 ^ catch_fragment_attribute_10[8],
+            fold_0_unequal_19 ^ catch_fragment_attribute_10[12], fold_0_unequal_21,
+            fold_0_unequal_22 ^ catch_fragment_attribute_9[4], fold_0_unequal_23 ^ catch_fragment_attribute_9[8],
+            fold_0_unequal_24 ^ catch_fragment_attribute_9[12], fold_0_unequal_25 ^ catch_fragment_attribute_8[0],
+            fold_0_unequal_26 ^ catch_fragment_attribute_8[4], fold_0_unequal_27 ^ catch_fragment_attribute_8[8],
+            fold_0_unequal_28 ^ catch_fragment_attribute_8[12], fold_0_unequal_29 ^ catch_fragment_attribute_7[0],
+            fold_0_unequal_30 ^ catch_fragment_attribute_7[4], fold_0_unequal_31 ^ catch_fragment_attribute_7[8],
+            fold_0_unequal_32 ^ catch_fragment_attribute_7[12], fold_0_unequal_33 ^ catch_fragment_attribute_6[0],
+            fold_0_unequal_34 ^ catch_fragment_attribute_6[4], fold_0_unequal_35 ^ catch_fragment_attribute_6[8],
+            fold_0_unequal_36 ^ catch_fragment_attribute_6[12], fold_0_unequal_37 ^ catch_fragment_attribute_5[0],
+            fold_0_unequal_38 ^ catch_fragment_attribute_5[4], fold_0_unequal_39 ^ catch_fragment_attribute_5[8],
+            fold_0_unequal_40 ^ catch_fragment_attribute_5[12], fold_0_unequal_41 ^ catch_fragment_attribute_4[0],
+            fold_0_unequal_42 ^ catch_fragment_attribute_4[4], fold_0_unequal_43 ^ catch_fragment_attribute_4[8],
+            fold_0_unequal_44 ^ catch_fragment_attribute_4[12], fold_0_unequal_45 ^ catch_fragment_attribute_3[0],
+            fold_0_unequal_46 ^ catch_fragment_attribute_3[4], fold_0_unequal_47 ^ catch_fragment_attribute_3[8],
+            fold_0_unequal_48 ^ catch_fragment_attribute_3[12], fold_0_unequal_49 ^ catch_fragment_attribute_2[0],
+            fold_0_unequal_50 ^ catch_fragment_attribute_2[4], fold_0_unequal_51 ^ catch_fragment_attribute_2[8],
+            fold_0_unequal_52 ^ catch_fragment_attribute_2[12], fold_0_unequal_53 ^ catch_fragment_attribute_1[0],
+            fold_0_unequal_54 ^ catch_fragment_attribute_1[4], fold_0_unequal_55 ^ catch_fragment_attribute_1[8],
+            fold_0_unequal_56 ^ catch_fragment_attribute_1[12], fold_0_unequal_57 ^ catch_fragment_attribute_0[0],
+            fold_0_unequal_58 ^ catch_fragment_attribute_0[4], fold_0_unequal_59 ^ catch_fragment_attribute_0[8],
+            fold_0_unequal_60 ^ catch_fragment_attribute_0[12], fold_0_unequal_61 ^ catch_fragment_depth[0],
+            fold_0_unequal_62 ^ catch_fragment_depth[4], fold_0_unequal_63 ^ catch_fragment_depth[8],
+            fold_0_unequal_64 ^ catch_fragment_depth[12], fold_0_unequal_65 ^ catch_fragment_depth[16],
+            fold_0_unequal_66 ^ catch_fragment_depth[20], fold_0_unequal_67 ^ catch_fragment_row[0],
+            fold_0_unequal_68 ^ catch_fragment_row[4], fold_0_unequal_69 ^ catch_fragment_row[8],
+            fold_0_unequal_70 ^ catch_fragment_column[3], fold_0_unequal_71 ^ catch_fragment_column[7],
+            fold_0_unequal_72 ^ catch_write_cardinal_0[0], fold_0_unequal_73 ^ catch_write_cardinal_0[4],
+            fold_0_unequal_74 ^ catch_write_cardinal_0[8], fold_0_unequal_75 ^ catch_write_cardinal_0[12],
+            fold_0_unequal_76 ^ catch_write_attribute_12[0], fold_0_unequal_77 ^ catch_write_attribute_12[4],
+            fold_0_unequal_78 ^ catch_write_attribute_12[8], fold_0_unequal_79 ^ catch_write_attribute_12[12],
+            fold_0_unequal_80 ^ catch_write_attribute_11[0], fold_0_unequal_81 ^ catch_write_attribute_11[4],
+            fold_0_unequal_82 ^ catch_write_attribute_11[8], fold_0_unequal_83 ^ catch_write_attribute_11[12],
+            fold_0_unequal_84 ^ catch_write_attribute_10[0], fold_0_unequal_85 ^ catch_write_attribute_10[4],
+            fold_0_unequal_86 ^ catch_write_attribute_10[8], fold_0_unequal_87 ^ catch_write_attribute_10[12],
+            fold_0_unequal_88 ^ catch_write_attribute_9[0], fold_0_unequal_89 ^ catch_write_attribute_9[4],
+            fold_0_unequal_90 ^ catch_write_attribute_9[8], fold_0_unequal_91 ^ catch_write_attribute_9[12],
+            fold_0_unequal_92 ^ catch_write_attribute_8[0], fold_0_unequal_93 ^ catch_write_attribute_8[4],
+            fold_0_unequal_94 ^ catch_write_attribute_8[8], fold_0_unequal_95 ^ catch_write_attribute_8[12],
+            fold_0_unequal_96 ^ catch_write_attribute_7[0], fold_0_unequal_97 ^ catch_write_attribute_7[4],
+            fold_0_unequal_98 ^ catch_write_attribute_7[8], fold_0_unequal_99 ^ catch_write_attribute_7[12],
+            fold_0_unequal_100 ^ catch_write_attribute_6[0], fold_0_unequal_101 ^ catch_write_attribute_6[4],
+            fold_0_unequal_102 ^ catch_write_attribute_6[8], fold_0_unequal_103 ^ catch_write_attribute_6[12],
+            fold_0_unequal_104 ^ catch_write_attribute_5[0], fold_0_unequal_105 ^ catch_write_attribute_5[4],
+            fold_0_unequal_106 ^ catch_write_attribute_5[8], fold_0_unequal_107 ^ catch_write_attribute_5[12],
+            fold_0_unequal_108 ^ catch_write_attribute_4[0], fold_0_unequal_109 ^ catch_write_attribute_4[4],
+            fold_0_unequal_110 ^ catch_write_attribute_4[8], fold_0_unequal_111 ^ catch_write_attribute_4[12],
+            fold_0_unequal_112 ^ catch_write_attribute_3[0], fold_0_unequal_113 ^ catch_write_attribute_3[4],
+            fold_0_unequal_114 ^ catch_write_attribute_3[8], fold_0_unequal_115 ^ catch_write_attribute_3[12],
+            fold_0_unequal_116 ^ catch_write_attribute_2[0], fold_0_unequal_117 ^ catch_write_attribute_2[4],
+            fold_0_unequal_118 ^ catch_write_attribute_2[8], fold_0_unequal_119 ^ catch_write_attribute_2[12],
+            fold_0_unequal_120 ^ catch_write_attribute_1[0], fold_0_unequal_121 ^ catch_write_attribute_1[4],
+            fold_0_unequal_122 ^ catch_write_attribute_1[8], fold_0_unequal_123 ^ catch_write_attribute_1[12],
+            fold_0_unequal_124 ^ catch_write_attribute_0[0], fold_0_unequal_125 ^ catch_write_attribute_0[4],
+            fold_0_unequal_126 ^ catch_write_attribute_0[8], fold_0_unequal_127 ^ catch_write_attribute_0[12],
+            fold_0_unequal_128 ^ catch_write_peak[0], fold_0_unequal_129, fold_0_unequal_130,
+            fold_0_unequal_131 ^ catch_write_peak[12], fold_0_unequal_132 ^ catch_write_depth[0],
+            fold_0_unequal_133 ^ catch_write_depth[4], fold_0_unequal_134 ^ catch_write_depth[8],
+            fold_0_unequal_135 ^ catch_write_depth[12], fold_0_unequal_136 ^ catch_write_depth[16],
+            fold_0_unequal_137 ^ catch_write_depth[20], fold_0_unequal_138 ^ catch_write_depth[24],
+            fold_0_unequal_139 ^ catch_write_depth[28], fold_0_unequal_140 ^ catch_write_depth[32],
+            fold_0_unequal_141 ^ catch_write_depth[36], fold_0_unequal_142 ^ catch_write_depth[40],
+            fold_0_unequal_143 ^ catch_write_depth[44], fold_0_unequal_144 ^ catch_write_depth[48],
+            fold_0_unequal_145 ^ catch_write_weight[0], fold_0_unequal_146 ^ catch_write_weight[4],
+            fold_0_unequal_147 ^ catch_write_weight[8], fold_0_unequal_148 ^ catch_write_weight[12],
+            fold_0_unequal_149 ^ catch_write_weight[16], fold_0_unequal_150 ^ catch_write_weight[20],
+            fold_0_unequal_151 ^ catch_write_weight[24], fold_0_unequal_152 ^ catch_write_pixel[0],
+            fold_0_unequal_153 ^ catch_write_pixel[4], fold_0_unequal_154, fold_0_unequal_155, fold_0_unequal_156,
+            fold_0_unequal_157, fold_0_unequal_158, fold_0_unequal_159, fold_0_unequal_160, catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

@@ -3,8 +3,7 @@
 
 // Surface-splat renderer: splats in, normalized fragments out.
 module splat_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [23:0] uniform_data,  // Its new value.
@@ -283,8 +282,7 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk), .rst(rst),
-        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -297,8 +295,7 @@ module splat_top (
         .in_attribute_12(splat_attribute_12), .in_cardinal_0(splat_cardinal_0),
         .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
         .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
-        .m22(uniform_m22), .m23(uniform_m23),
-        .near_plane(uniform_near_plane),
+        .m22(uniform_m22), .m23(uniform_m23), .near_plane(uniform_near_plane),
         .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
         .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
         .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
@@ -315,20 +312,19 @@ module splat_top (
     );
 
     splat_setup setup (
-        .clk(clk), .rst(rst),
-        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
-        .in_attribute_3(transform_out_attribute_3), .in_attribute_4(transform_out_attribute_4),
-        .in_attribute_5(transform_out_attribute_5), .in_attribute_6(transform_out_attribute_6),
-        .in_attribute_7(transform_out_attribute_7), .in_attribute_8(transform_out_attribute_8),
-        .in_attribute_9(transform_out_attribute_9), .in_attribute_10(transform_out_attribute_10),
-        .in_attribute_11(transform_out_attribute_11), .in_attribute_12(transform_out_attribute_12),
-        .in_cardinal_0(transform_out_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(transform_out_valid), .in_ready(setup_in_ready),
+        .in_end(transform_out_end), .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y), .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x), .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z), .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y), .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2), .in_attribute_3(transform_out_attribute_3),
+        .in_attribute_4(transform_out_attribute_4), .in_attribute_5(transform_out_attribute_5),
+        .in_attribute_6(transform_out_attribute_6), .in_attribute_7(transform_out_attribute_7),
+        .in_attribute_8(transform_out_attribute_8), .in_attribute_9(transform_out_attribute_9),
+        .in_attribute_10(transform_out_attribute_10), .in_attribute_11(transform_out_attribute_11),
+        .in_attribute_12(transform_out_attribute_12), .in_cardinal_0(transform_out_cardinal_0),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
@@ -353,11 +349,10 @@ module splat_top (
     );
 
     splat_splitter splitter (
-        .clk(clk), .rst(rst),
-        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
+        .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
+        .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
         .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
         .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
         .in_attribute_2(setup_out_attribute_2), .in_attribute_3(setup_out_attribute_3),
@@ -386,10 +381,9 @@ module splat_top (
     );
 
     splat_reorder reorder (
-        .clk(clk), .rst(rst),
-        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
         .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
@@ -418,21 +412,20 @@ module splat_top (
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst),
-        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
-        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
-        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
-        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
-        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
-        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
-        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
+        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
+        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
+        .in_attribute_3(reorder_out_attribute_3), .in_attribute_4(reorder_out_attribute_4),
+        .in_attribute_5(reorder_out_attribute_5), .in_attribute_6(reorder_out_attribute_6),
+        .in_attribute_7(reorder_out_attribute_7), .in_attribute_8(reorder_out_attribute_8),
+        .in_attribute_9(reorder_out_attribute_9), .in_attribute_10(reorder_out_attribute_10),
+        .in_attribute_11(reorder_out_attribute_11), .in_attribute_12(reorder_out_attribute_12),
+        .in_cardinal_0(reorder_out_cardinal_0), .in_left(reorder_out_left), .in_right(reorder_out_right),
+        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -508,22 +501,21 @@ module splat_top (
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
-        .in_attribute_3(tile_cache_out_attribute_3), .in_attribute_4(tile_cache_out_attribute_4),
-        .in_attribute_5(tile_cache_out_attribute_5), .in_attribute_6(tile_cache_out_attribute_6),
-        .in_attribute_7(tile_cache_out_attribute_7), .in_attribute_8(tile_cache_out_attribute_8),
-        .in_attribute_9(tile_cache_out_attribute_9), .in_attribute_10(tile_cache_out_attribute_10),
-        .in_attribute_11(tile_cache_out_attribute_11), .in_attribute_12(tile_cache_out_attribute_12),
-        .in_cardinal_0(tile_cache_out_cardinal_0), .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
+        .in_attribute_4(tile_cache_out_attribute_4), .in_attribute_5(tile_cache_out_attribute_5),
+        .in_attribute_6(tile_cache_out_attribute_6), .in_attribute_7(tile_cache_out_attribute_7),
+        .in_attribute_8(tile_cache_out_attribute_8), .in_attribute_9(tile_cache_out_attribute_9),
+        .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
+        .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
+        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -542,18 +534,18 @@ module splat_top (
     );
 
     splat_weighting weighting (
-        .clk(clk), .rst(rst),
-        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
-        .in_attribute_2(rasterizer_out_attribute_2), .in_attribute_3(rasterizer_out_attribute_3),
-        .in_attribute_4(rasterizer_out_attribute_4), .in_attribute_5(rasterizer_out_attribute_5),
-        .in_attribute_6(rasterizer_out_attribute_6), .in_attribute_7(rasterizer_out_attribute_7),
-        .in_attribute_8(rasterizer_out_attribute_8), .in_attribute_9(rasterizer_out_attribute_9),
-        .in_attribute_10(rasterizer_out_attribute_10), .in_attribute_11(rasterizer_out_attribute_11),
-        .in_attribute_12(rasterizer_out_attribute_12), .in_cardinal_0(rasterizer_out_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
+        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
+        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
+        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
+        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
+        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
         .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
         .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
         .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
@@ -569,10 +561,9 @@ module splat_top (
     );
 
     splat_accumulator accumulator (
-        .clk(clk), .rst(rst),
-        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
-        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
         .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
@@ -611,9 +602,8 @@ module splat_top (
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
         .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
         .in_peak(tile_cache_pixel_peak), .in_attribute_0(tile_cache_pixel_attribute_0),
         .in_attribute_1(tile_cache_pixel_attribute_1), .in_attribute_2(tile_cache_pixel_attribute_2),
@@ -665,50 +655,49 @@ endmodule
 // latency = 30
 // initiation_interval = 1
 module splat_normalizer (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Pixels of a finished frame.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_peak,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [11:0] in_tile,  // Tile index.
+    input  wire [5:0] in_pixel,  // Pixel of the tile.
+    input  wire [27:0] in_weight,  // Sum of weights.
+    input  wire [51:0] in_depth,  // Sum of weighted depths.
+    input  wire [15:0] in_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire out_valid,  // Fragments.
     input  wire out_ready,
-    output wire out_end,
-    output wire [8:0] out_column,
-    output wire [8:0] out_row,
-    output wire [23:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire [8:0] out_column,  // Column of the image.
+    output wire [8:0] out_row,  // Row of the image.
+    output wire [23:0] out_depth,  // Depth in the geometry format.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [231:0] delay_20_from_0 [0:18];
@@ -718,7 +707,7 @@ module splat_normalizer (
     reg [231:0] delay_20_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [34:0] delay_30_from_0_out;
-    reg [23:0] mul_23_d1, mul_23_d2, mul_23_d3;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [29:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -740,6 +729,25 @@ module splat_normalizer (
     wire [15:0] convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y;
     wire [15:0] convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y;
 
+    wire end_d30 = delay_30_from_0_out[0];
+    wire [8:0] column_out_d30 = delay_30_from_0_out[25:17];
+    wire [8:0] row_out_d30 = delay_30_from_0_out[34:26];
+    wire [15:0] cardinal_0_d30 = delay_30_from_0_out[16:1];
+    wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
+    wire [15:0] attribute_0_d20 = delay_20_from_0_out[39:24];
+    wire [15:0] attribute_1_d20 = delay_20_from_0_out[55:40];
+    wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
+    wire [15:0] attribute_3_d20 = delay_20_from_0_out[87:72];
+    wire [15:0] attribute_4_d20 = delay_20_from_0_out[103:88];
+    wire [15:0] attribute_5_d20 = delay_20_from_0_out[119:104];
+    wire [15:0] attribute_6_d20 = delay_20_from_0_out[135:120];
+    wire [15:0] attribute_7_d20 = delay_20_from_0_out[151:136];
+    wire [15:0] attribute_8_d20 = delay_20_from_0_out[167:152];
+    wire [15:0] attribute_9_d20 = delay_20_from_0_out[183:168];
+    wire [15:0] attribute_10_d20 = delay_20_from_0_out[199:184];
+    wire [15:0] attribute_11_d20 = delay_20_from_0_out[215:200];
+    wire [15:0] attribute_12_d20 = delay_20_from_0_out[231:216];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {
@@ -749,15 +757,14 @@ module splat_normalizer (
     } = queue_out_data;
 
     stream_skid_w267 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[29]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(queue_in_ready),
         .in_data({
-            delay_30_from_0_out[0], delay_30_from_0_out[25:17], delay_30_from_0_out[34:26], mul_23_d3,
-            convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y,
-            convert_f24_ftz_f16_unit_copy4_y, convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y,
-            convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y,
-            convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y,
-            convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y, delay_30_from_0_out[16:1]
+            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
+            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y, convert_f24_ftz_f16_unit_copy4_y,
+            convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y, convert_f24_ftz_f16_unit_copy7_y,
+            convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y, convert_f24_ftz_f16_unit_copy10_y,
+            convert_f24_ftz_f16_unit_copy11_y, convert_f24_ftz_f16_unit_copy12_y,
+            convert_f24_ftz_f16_unit_copy13_y, cardinal_0_d30
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -775,7 +782,7 @@ module splat_normalizer (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20),
         .y(mul_f24_ftz_unit_y)
     );
 
@@ -845,67 +852,55 @@ module splat_normalizer (
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[39:24]), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[55:40]),
-        .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[71:56]),
-        .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[87:72]),
-        .y(convert_f16_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[103:88]),
-        .y(convert_f16_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[119:104]),
-        .y(convert_f16_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[135:120]),
-        .y(convert_f16_f24_ftz_unit_copy7_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[151:136]),
-        .y(convert_f16_f24_ftz_unit_copy8_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[167:152]),
-        .y(convert_f16_f24_ftz_unit_copy9_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[183:168]),
-        .y(convert_f16_f24_ftz_unit_copy10_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[199:184]),
-        .y(convert_f16_f24_ftz_unit_copy11_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[215:200]),
-        .y(convert_f16_f24_ftz_unit_copy12_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[231:216]),
-        .y(convert_f16_f24_ftz_unit_copy13_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
@@ -985,9 +980,9 @@ module splat_normalizer (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            mul_23_d1 <= mul_f24_ftz_unit_y;
-            mul_23_d2 <= mul_23_d1;
-            mul_23_d3 <= mul_23_d2;
+            depth_out_d1 <= mul_f24_ftz_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
         end
     end
     always @(posedge clk) begin
@@ -1015,9 +1010,7 @@ endmodule
 // from = f24-ftz
 // to = f16
 module float_convert_s3_f24ftz_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [15:0] y
 );
     reg [9:0] distance_s1;
@@ -1026,28 +1019,29 @@ module float_convert_s3_f24ftz_f16 (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
-    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [9:0] a_field_plus_912 = {2'd0, a_field} + 10'd912;
+    wire exponent_s1_either = a_field_plus_912[9] | (a_field_plus_912 == 10'd0);
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_3 = a_fraction & {15{|a_field}};
-    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
-    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
-    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
-    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
-    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
+    wire [14:0] significand_s1_both = a_fraction & {15{|a_field}};
+    wire [12:0] significand_s2_choice = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
+    wire [12:0] significand_s2_choice_2 = distance_s1[2] ? (significand_s2_choice >> 4) : significand_s2_choice;
+    wire [12:0] significand_s2_choice_3 = distance_s1[1] ? (significand_s2_choice_2 >> 2) : significand_s2_choice_2;
+    wire [12:0] significand_s2_choice_4 = distance_s1[0] ? (significand_s2_choice_3 >> 1) : significand_s2_choice_3;
+    wire significand_s2_either = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |significand_s2_choice[3:0]);
+    wire significand_s2_either_2 = significand_s2_either | (distance_s1[1] & |significand_s2_choice_2[1:0]);
+    wire significand_s2_either_3 = significand_s2_either_2 | (distance_s1[0] & significand_s2_choice_3[0]);
+    wire [12:0] significand_s2_bits = {significand_s2_choice_4[12:1], significand_s2_choice_4[0] | significand_s2_either_3};
+    wire [14:0] rounded_bits = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [14:0] rounded = joined_11 + {14'd0, round_up};
-    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
-            significand_s1 <= {|a_field, term_3[14:4], |term_3[3:0]};
-            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
-            exponent_s1 <= term_2 ? 10'd1 : sum_1;
+            distance_s1 <= (10'd1 - a_field_plus_912) & {10{exponent_s1_either}};
+            significand_s1 <= {|a_field, significand_s1_both[14:4], |significand_s1_both[3:0]};
+            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : significand_s2_bits;
+            exponent_s1 <= exponent_s1_either ? 10'd1 : a_field_plus_912;
             exponent_s2 <= exponent_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
@@ -1057,7 +1051,7 @@ module float_convert_s3_f24ftz_f16 (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 16'h7e00 : joined_12;
+            y <= nan_s2 ? 16'h7e00 : {sign_s2, zero_s2 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -1067,9 +1061,7 @@ endmodule
 // from = f16
 // to = f24-ftz
 module float_convert_s3_f16_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [23:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -1080,28 +1072,31 @@ module float_convert_s3_f16_f24ftz (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
-    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
-    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
+    wire [7:0] a_exponent_s1_minus_a_zeros_s1 = a_exponent_s1 - {4'd0, a_zeros_s1};
+    wire [9:0] exponent_s2_bits = {{2{a_exponent_s1_minus_a_zeros_s1[7]}}, a_exponent_s1_minus_a_zeros_s1};
+    wire y_both = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 23'd0 : term_11 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s2 | ((exponent_s2[9] | y_both) & ~infinite_s2)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
+            exponent_s2 <= exponent_s2_bits + 10'd112;
             significand_s2 <= {a_significand_s1 << a_zeros_s1, 7'd0};
             sign_s1 <= a[15];
             sign_s2 <= sign_s1;
@@ -1111,7 +1106,7 @@ module float_convert_s3_f16_f24ftz (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field | |a_fraction);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 24'h7fc000 : {sign_s2, choice_12};
+            y <= nan_s2 ? 24'h7fc000 : {sign_s2, y_choice_2};
         end
     end
 
@@ -1125,9 +1120,7 @@ endmodule
 // fraction = 40
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [51:0] a,
+    input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [23:0] y
 );
     reg [51:0] magnitude_s1;
@@ -1136,59 +1129,61 @@ module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[51] & ~a[50];
-    wire term_2 = term_1 & (~a[49] & ~a[48]);
-    wire term_3 = ~a[47] & ~a[46];
-    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
-    wire term_5 = ~a[43] & ~a[42];
-    wire term_6 = term_5 & (~a[41] & ~a[40]);
-    wire term_7 = ~a[39] & ~a[38];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
-    wire term_9 = ~a[35] & ~a[34];
-    wire term_10 = term_9 & (~a[33] & ~a[32]);
-    wire term_11 = ~a[31] & ~a[30];
-    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
-    wire term_13 = ~a[27] & ~a[26];
-    wire term_14 = term_13 & (~a[25] & ~a[24]);
-    wire term_15 = ~a[23] & ~a[22];
-    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
-    wire term_17 = ~a[19] & ~a[18];
-    wire term_18 = term_17 & (~a[17] & ~a[16]);
-    wire term_19 = ~a[15] & ~a[14];
-    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
-    wire term_21 = ~a[11] & ~a[10];
-    wire term_22 = term_21 & (~a[9] & ~a[8]);
-    wire term_23 = ~a[7] & ~a[6];
-    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
-    wire term_25 = ~a[3] & ~a[2];
-    wire term_26 = term_25 & (~a[1] & ~a[0]);
-    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
-    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
-    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
-    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
-    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
-    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
-    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
-    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
-    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
-    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
-    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
+    wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
+    wire not_a_47_and_not_a_46 = ~a[47] & ~a[46];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_47_and_not_a_46 & (~a[45] & ~a[44]));
+    wire not_a_43_and_not_a_42 = ~a[43] & ~a[42];
+    wire zeros_s1_both_3 = not_a_43_and_not_a_42 & (~a[41] & ~a[40]);
+    wire not_a_39_and_not_a_38 = ~a[39] & ~a[38];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_39_and_not_a_38 & (~a[37] & ~a[36])));
+    wire not_a_35_and_not_a_34 = ~a[35] & ~a[34];
+    wire zeros_s1_both_5 = not_a_35_and_not_a_34 & (~a[33] & ~a[32]);
+    wire not_a_31_and_not_a_30 = ~a[31] & ~a[30];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_31_and_not_a_30 & (~a[29] & ~a[28]));
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both_7 = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_8 = zeros_s1_both_6 & (zeros_s1_both_7 & (not_a_23_and_not_a_22 & (~a[21] & ~a[20])));
+    wire zeros_s1_both_9 = zeros_s1_both_4 & zeros_s1_both_8;
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_10 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_11 = zeros_s1_both_10 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12]));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_12 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_13 = zeros_s1_both_11 & (zeros_s1_both_12 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4])));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_14 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_14 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_12 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [1:0] zeros_s1_choice_3 = zeros_s1_both_10 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [2:0] zeros_s1_choice_4 = zeros_s1_both_11 ? {zeros_s1_both_12, zeros_s1_choice_2} : {zeros_s1_both_10, zeros_s1_choice_3};
+    wire [3:0] zeros_s1_choice_5 = zeros_s1_both_13 ? {1'd0, zeros_s1_both_14, zeros_s1_choice} : {zeros_s1_both_11, zeros_s1_choice_4};
+    wire [1:0] zeros_s1_choice_6 = zeros_s1_both_7 ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [1:0] zeros_s1_choice_7 = zeros_s1_both_5 ? {not_a_31_and_not_a_30, not_a_31_and_not_a_30 ? ~a[29] : ~a[31]} : {not_a_35_and_not_a_34, not_a_35_and_not_a_34 ? ~a[33] : ~a[35]};
+    wire [2:0] zeros_s1_choice_8 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice_6} : {zeros_s1_both_5, zeros_s1_choice_7};
+    wire [1:0] zeros_s1_choice_9 = zeros_s1_both_3 ? {not_a_39_and_not_a_38, not_a_39_and_not_a_38 ? ~a[37] : ~a[39]} : {not_a_43_and_not_a_42, not_a_43_and_not_a_42 ? ~a[41] : ~a[43]};
+    wire [1:0] zeros_s1_choice_10 = zeros_s1_both ? {not_a_47_and_not_a_46, not_a_47_and_not_a_46 ? ~a[45] : ~a[47]} : {not_a_51_and_not_a_50, not_a_51_and_not_a_50 ? ~a[49] : ~a[51]};
+    wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
+    wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
+    wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
+    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 23'd0 : choice_40;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_16, choice_37};
+            zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
             exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {shifted_38[51:35], |shifted_38[34:0]};
+            significand_s2 <= {significand_s2_shifted[51:35], |significand_s2_shifted[34:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_41};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -1202,9 +1197,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [27:0] a,
+    input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [23:0] y
 );
     reg [27:0] magnitude_s1;
@@ -1213,42 +1206,42 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[27] & ~a[26];
-    wire term_2 = term_1 & (~a[25] & ~a[24]);
-    wire term_3 = ~a[23] & ~a[22];
-    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
-    wire term_5 = ~a[19] & ~a[18];
-    wire term_6 = term_5 & (~a[17] & ~a[16]);
-    wire term_7 = ~a[15] & ~a[14];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
-    wire term_9 = ~a[11] & ~a[10];
-    wire term_10 = term_9 & (~a[9] & ~a[8]);
-    wire term_11 = ~a[7] & ~a[6];
-    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
-    wire term_13 = ~a[3] & ~a[2];
-    wire term_14 = term_13 & (~a[1] & ~a[0]);
-    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
-    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
-    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
-    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
-    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
-    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_23_and_not_a_22 & (~a[21] & ~a[20]));
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_3 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12])));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_5 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4]));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_7 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_7 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_5 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [2:0] zeros_s1_choice_3 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice} : {zeros_s1_both_5, zeros_s1_choice_2};
+    wire [1:0] zeros_s1_choice_4 = zeros_s1_both_3 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
+    wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
+    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 23'd0 : choice_23;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_8, choice_20};
+            zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
             exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {shifted_21[27:11], |shifted_21[10:0]};
+            significand_s2 <= {significand_s2_shifted[27:11], |significand_s2_shifted[10:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_24};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -1258,14 +1251,9 @@ endmodule
 // Queue of two in registers.
 // width = 267
 module stream_skid_w267 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [266:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [266:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [266:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [266:0] out_data
 );
     reg second_valid;
     reg [266:0] head, second;
@@ -1291,17 +1279,14 @@ module stream_skid_w267 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1310,8 +1295,7 @@ endmodule
 // slots = 2
 // stages = 7
 module splat_accumulator (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Samples with their contributions.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -1401,14 +1385,30 @@ module splat_accumulator (
     reg [5:0] pixel_7;
     reg valid_8, inside_8, last_8, slot_8;
     reg [5:0] pixel_8;
-    reg head_valid, head_end, head_last, head_inside, head_slot;
-    reg [5:0] head_pixel;
-    reg [15:0] head_weight;
-    reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
-    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
-    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg head_last;  // Closes its copy.
+    reg head_inside;  // Lies inside the splat.
+    reg head_slot;  // Slot of the tile cache.
+    reg [5:0] head_pixel;  // Pixel of the tile.
+    reg [15:0] head_weight;  // Kernel weight.
+    reg [39:0] head_weighted_depth;  // Weighted depth.
+    reg [23:0] head_depth_low;  // Near end of the depth band.
+    reg [23:0] head_depth_high;  // Far end of the depth band.
+    reg [15:0] head_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
     wire [319:0] slot_0_read;
@@ -1416,25 +1416,60 @@ module splat_accumulator (
     wire [319:0] slot_1_read;
     reg [319:0] slot_1_pixel, stored;
     reg drained_slot;
-    reg [15:0] sample_1_weight;
-    reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low, sample_1_depth_high;
-    reg [15:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2, sample_1_attribute_3;
-    reg [15:0] sample_1_attribute_4, sample_1_attribute_5, sample_1_attribute_6, sample_1_attribute_7;
-    reg [15:0] sample_1_attribute_8, sample_1_attribute_9, sample_1_attribute_10, sample_1_attribute_11;
-    reg [15:0] sample_1_attribute_12, sample_1_cardinal_0, sample_2_weight;
-    reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low, sample_2_depth_high;
-    reg [15:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2, sample_2_attribute_3;
-    reg [15:0] sample_2_attribute_4, sample_2_attribute_5, sample_2_attribute_6, sample_2_attribute_7;
-    reg [15:0] sample_2_attribute_8, sample_2_attribute_9, sample_2_attribute_10, sample_2_attribute_11;
-    reg [15:0] sample_2_attribute_12, sample_2_cardinal_0, sample_3_weight;
-    reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low, sample_3_depth_high;
-    reg [15:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2, sample_3_attribute_3;
-    reg [15:0] sample_3_attribute_4, sample_3_attribute_5, sample_3_attribute_6, sample_3_attribute_7;
-    reg [15:0] sample_3_attribute_8, sample_3_attribute_9, sample_3_attribute_10, sample_3_attribute_11;
-    reg [15:0] sample_3_attribute_12, sample_3_cardinal_0;
+    reg [15:0] sample_1_weight;  // Kernel weight.
+    reg [39:0] sample_1_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_1_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_1_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_1_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_weight;  // Kernel weight.
+    reg [39:0] sample_2_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_2_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_2_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_2_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_weight;  // Kernel weight.
+    reg [39:0] sample_3_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_3_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_3_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_3_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
     reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
     reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
@@ -1468,7 +1503,7 @@ module splat_accumulator (
     wire [319:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] joined_1 = {
+    wire [319:0] slot_1_pixels_data_bits = {
         fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
         fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
         fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
@@ -1476,62 +1511,54 @@ module splat_accumulator (
     };
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_2 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_3 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_2};
+    wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_4 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_5 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_4};
+    wire [15:0] result_bits_2 = {add_attribute_1_y[15], overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0]};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_6 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_7 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_6};
+    wire [15:0] result_bits_3 = {add_attribute_2_y[15], overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0]};
     wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
-    wire [14:0] choice_8 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
-    wire [15:0] choice_9 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_8};
+    wire [15:0] result_bits_4 = {add_attribute_3_y[15], overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0]};
     wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
-    wire [14:0] choice_10 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
-    wire [15:0] choice_11 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_10};
+    wire [15:0] result_bits_5 = {add_attribute_4_y[15], overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0]};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
-    wire [14:0] choice_12 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
-    wire [15:0] choice_13 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_12};
+    wire [15:0] result_bits_6 = {add_attribute_5_y[15], overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0]};
     wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [14:0] choice_14 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
-    wire [15:0] choice_15 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_14};
+    wire [15:0] result_bits_7 = {add_attribute_6_y[15], overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0]};
     wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [14:0] choice_16 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
-    wire [15:0] choice_17 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_16};
+    wire [15:0] result_bits_8 = {add_attribute_7_y[15], overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0]};
     wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [14:0] choice_18 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
-    wire [15:0] choice_19 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_18};
+    wire [15:0] result_bits_9 = {add_attribute_8_y[15], overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0]};
     wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [14:0] choice_20 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
-    wire [15:0] choice_21 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_20};
+    wire [15:0] result_bits_10 = {add_attribute_9_y[15], overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0]};
     wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [14:0] choice_22 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
-    wire [15:0] choice_23 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_22};
+    wire [15:0] result_bits_11 = {add_attribute_10_y[15], overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0]};
     wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [14:0] choice_24 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
-    wire [15:0] choice_25 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_24};
+    wire [15:0] result_bits_12 = {add_attribute_11_y[15], overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0]};
     wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [14:0] choice_26 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
-    wire [15:0] choice_27 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_26};
+    wire [15:0] result_bits_13 = {add_attribute_12_y[15], overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0]};
     wire [319:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        selected ? weight_8 : peak_8, choice_3, choice_5, choice_7, choice_9, choice_11, choice_13, choice_15,
-        choice_17, choice_19, choice_21, choice_23, choice_25, choice_27,
+        selected ? weight_8 : peak_8, late_pass_5 ? attribute_0_8 : result_bits,
+        late_pass_5 ? attribute_1_8 : result_bits_2, late_pass_5 ? attribute_2_8 : result_bits_3,
+        late_pass_5 ? attribute_3_8 : result_bits_4, late_pass_5 ? attribute_4_8 : result_bits_5,
+        late_pass_5 ? attribute_5_8 : result_bits_6, late_pass_5 ? attribute_6_8 : result_bits_7,
+        late_pass_5 ? attribute_7_8 : result_bits_8, late_pass_5 ? attribute_8_8 : result_bits_9,
+        late_pass_5 ? attribute_9_8 : result_bits_10, late_pass_5 ? attribute_10_8 : result_bits_11,
+        late_pass_5 ? attribute_11_8 : result_bits_12, late_pass_5 ? attribute_12_8 : result_bits_13,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire term_28 = head_valid & ~head_end;
-    wire may_issue_inside = term_28 & head_inside;
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_29 = drain_enable & ~drain_slot;
+    wire slot_0_pixel_enable_both = drain_enable & ~drain_slot;
     wire filling_1 = fill_valid & fill_slot;
-    wire term_30 = drain_enable & drain_slot;
+    wire drain_enable_and_drain_slot = drain_enable & drain_slot;
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_28 & ~(slot_wait | hazard);
-    wire term_31 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_31 | valid_7 | valid_8);
+    wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
+    wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
+    wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire places_out_end = places_out_data[9];
     wire places_out_last = places_out_data[8];
@@ -1556,18 +1583,18 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
-    wire term_32 = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
-    wire [7:0] joined_33 = {
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire [7:0] collisions_bits = {
         inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
         inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
         inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
         inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
         inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
         inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), term_32
+        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [1:0] shifted_34 = slot_ready >> places_out_slot;
-    wire [1:0] shifted_35 = slot_ready >> head_slot;
+    wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
 
     assign in_ready = places_in_ready;
     assign {
@@ -1578,31 +1605,27 @@ module splat_accumulator (
     } = drained;
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
-        .clk(clk),
-        .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? joined_1 : result),
-        .read(slot_ready[0] ? (issue_inside & ~head_slot) : term_29),
+        .clk(clk), .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & ~head_slot) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
-        .clk(clk),
-        .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? joined_1 : result),
-        .read(slot_ready[1] ? (issue_inside & head_slot) : term_30),
+        .clk(clk), .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & head_slot) : drain_enable_and_drain_slot),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
     stream_fifo_d64_w10_distributed places (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w328 samples (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
             in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
             in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7,
@@ -1612,8 +1635,8 @@ module splat_accumulator (
     );
 
     splat_depth_test depth_test (
-        .clk(clk), .rst(rst), .weight(stored[319:292]),
-        .depth(stored[291:240]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .clk(clk), .rst(rst), .weight(stored[319:292]), .depth(stored[291:240]),
+        .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
@@ -1744,8 +1767,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_33 : (collisions << 1);
-        arrived <= head_takes ? shifted_34[0] : shifted_35[0];
+        collisions <= head_takes ? collisions_bits : (collisions << 1);
+        arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -1935,25 +1958,22 @@ module splat_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | term_29) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | term_30) slot_1_pixel <= slot_1_read;
+        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | drain_enable_and_drain_slot) slot_1_pixel <= slot_1_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_34[1], shifted_35[1]};
+    wire _unused = &{1'b0, arrived_shifted[1], arrived_shifted_2[1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(places_out_valid == samples_out_valid)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                queues_move_together: assert (0);
+        queues_move_together: assert (places_out_valid == samples_out_valid);
 `else
-                $display("assertion failed: queues_move_together in %m");
-                $stop;
-`endif
-            end
+        if (!(places_out_valid == samples_out_valid)) begin
+            $display("assertion failed: queues_move_together in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1962,10 +1982,7 @@ endmodule
 // stages = 5
 // format = f16
 module float_add_s5_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [7:0] distance_s1;
@@ -1982,82 +1999,86 @@ module float_add_s5_f16 (
 
     wire swap = a[14:0] < b[14:0];
     wire [4:0] b_field = b[14:10];
-    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
+    wire [7:0] distance_s1_bits = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
     wire [4:0] a_field = a[14:10];
-    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
+    wire [7:0] distance_s1_bits_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
     wire [9:0] b_fraction = b[9:0];
-    wire [10:0] joined_3 = {|b_field, b_fraction};
+    wire [10:0] large_s1_bits = {|b_field, b_fraction};
     wire [9:0] a_fraction = a[9:0];
-    wire [10:0] joined_4 = {|a_field, a_fraction};
-    wire term_5 = a[15] ^ b[15];
-    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
-    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
-    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
-    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
-    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
-    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
-    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
-    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
-    wire term_14 = &a_field & (a_fraction == 10'd0);
-    wire term_15 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] term_16 = sum_s2 | stop_s2;
-    wire term_17 = ~term_16[14] & ~term_16[13];
-    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
-    wire term_19 = ~term_16[10] & ~term_16[9];
-    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
-    wire term_21 = ~term_16[6] & ~term_16[5];
-    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
-    wire term_23 = ~term_16[2] & ~term_16[1];
-    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
-    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
-    wire [14:0] shifted_26 = value_s3 << zeros_s3;
-    wire term_27 = sum_s2 == 15'd0;
-    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire [10:0] large_s1_bits_2 = {|a_field, a_fraction};
+    wire a_15_xor_b_15 = a[15] ^ b[15];
+    wire [13:0] sum_s2_choice = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
+    wire [13:0] sum_s2_choice_2 = distance_s1[2] ? (sum_s2_choice >> 4) : sum_s2_choice;
+    wire [13:0] sum_s2_choice_3 = distance_s1[1] ? (sum_s2_choice_2 >> 2) : sum_s2_choice_2;
+    wire [13:0] sum_s2_choice_4 = distance_s1[0] ? (sum_s2_choice_3 >> 1) : sum_s2_choice_3;
+    wire sum_s2_either = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |sum_s2_choice[3:0]);
+    wire sum_s2_either_2 = sum_s2_either | (distance_s1[1] & |sum_s2_choice_2[1:0]) | (distance_s1[0] & sum_s2_choice_3[0]);
+    wire [13:0] sum_s2_choice_5 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {sum_s2_choice_4[13:1], sum_s2_choice_4[0] | sum_s2_either_2};
+    wire [15:0] sum_s2_sum = {1'd0, large_s1, 4'd1} + {{1'd0, sum_s2_choice_5} ^ {15{subtract_s1}}, subtract_s1};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] sum_s2_or_stop_s2 = sum_s2 | stop_s2;
+    wire zeros_s3_both = ~sum_s2_or_stop_s2[14] & ~sum_s2_or_stop_s2[13];
+    wire zeros_s3_both_2 = zeros_s3_both & (~sum_s2_or_stop_s2[12] & ~sum_s2_or_stop_s2[11]);
+    wire zeros_s3_both_3 = ~sum_s2_or_stop_s2[10] & ~sum_s2_or_stop_s2[9];
+    wire zeros_s3_both_4 = zeros_s3_both_3 & (~sum_s2_or_stop_s2[8] & ~sum_s2_or_stop_s2[7]);
+    wire zeros_s3_both_5 = zeros_s3_both_2 & zeros_s3_both_4;
+    wire zeros_s3_both_6 = ~sum_s2_or_stop_s2[6] & ~sum_s2_or_stop_s2[5];
+    wire zeros_s3_both_7 = zeros_s3_both_6 & (~sum_s2_or_stop_s2[4] & ~sum_s2_or_stop_s2[3]);
+    wire zeros_s3_both_8 = ~sum_s2_or_stop_s2[2] & ~sum_s2_or_stop_s2[1];
+    wire [1:0] zeros_s3_bits = {zeros_s3_both_8, zeros_s3_both_8 ? ~sum_s2_or_stop_s2[0] : ~sum_s2_or_stop_s2[2]};
+    wire [1:0] zeros_s3_bits_2 = {zeros_s3_both_6, zeros_s3_both_6 ? ~sum_s2_or_stop_s2[4] : ~sum_s2_or_stop_s2[6]};
+    wire [2:0] zeros_s3_bits_3 = {zeros_s3_both_7, zeros_s3_both_7 ? zeros_s3_bits : zeros_s3_bits_2};
+    wire [1:0] zeros_s3_bits_4 = {zeros_s3_both_3, zeros_s3_both_3 ? ~sum_s2_or_stop_s2[8] : ~sum_s2_or_stop_s2[10]};
+    wire [1:0] zeros_s3_bits_5 = {zeros_s3_both, zeros_s3_both ? ~sum_s2_or_stop_s2[12] : ~sum_s2_or_stop_s2[14]};
+    wire [2:0] zeros_s3_bits_6 = {zeros_s3_both_2, zeros_s3_both_2 ? zeros_s3_bits_4 : zeros_s3_bits_5};
+    wire [14:0] value_s3_shifted_by_zeros_s3 = value_s3 << zeros_s3;
+    wire sum_s2_is_0 = sum_s2 == 15'd0;
+    wire [14:0] rounded_bits = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
-    wire [14:0] rounded = joined_28 + {14'd0, round_up};
-    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
-            large_s1 <= swap ? joined_3 : joined_4;
-            small_s1 <= swap ? joined_4 : joined_3;
-            limit_s1 <= swap ? joined_1 : joined_2;
-            subtract_s1 <= term_5;
-            sum_s2 <= sum_13[15:1];
+            distance_s1 <= swap ? (distance_s1_bits - distance_s1_bits_2) : (distance_s1_bits_2 - distance_s1_bits);
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            limit_s1 <= swap ? distance_s1_bits : distance_s1_bits_2;
+            subtract_s1 <= a_15_xor_b_15;
+            sum_s2 <= sum_s2_sum[15:1];
             stop_s2 <= 15'h4000 >> limit_s1;
             sign_s1 <= swap ? b[15] : a[15];
             sign_s2 <= sign_s1;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_15_xor_b_15);
             nan_s2 <= nan_s1;
-            infinite_s1 <= term_14 | term_15;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             subtract_s2 <= subtract_s1;
             value_s3 <= sum_s2;
-            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
+            zeros_s3 <= {zeros_s3_both_5, zeros_s3_both_5 ? zeros_s3_bits_3 : zeros_s3_bits_6};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
-            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
-            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
+            significand_s4 <= {value_s3_shifted_by_zeros_s3[14:3], |value_s3_shifted_by_zeros_s3[2:0]};
+            sign_s3 <= sign_s2 & ~(sum_s2_is_0 & subtract_s2);
             sign_s4 <= sign_s3;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s3 <= term_27 & ~infinite_s2;
+            zero_s3 <= sum_s2_is_0 & ~infinite_s2;
             zero_s4 <= zero_s3;
-            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
+            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[7:5], sum_13[0]};
+    wire _unused = &{1'b0, distance_s1[7:5], sum_s2_sum[0]};
 endmodule
 
 // Compares a pixel's normalized depth with a splat's depth band.
 module splat_depth_test (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire [27:0] weight,  // The pixel's sum of weights.
     input  wire [51:0] depth,  // The pixel's sum of weighted depths.
     input  wire [23:0] depth_low,  // Near end of the sample's depth band.
@@ -2071,8 +2092,8 @@ module splat_depth_test (
     reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
-    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
-    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+    wire [51:0] low_bound_either = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] high_bound_either = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2090,12 +2111,12 @@ module splat_depth_test (
         low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
         low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
         low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
-        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        low_bound <= low_bound_either + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
         high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
         high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
         high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
         high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
-        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+        high_bound <= high_bound_either + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
     end
 endmodule
 
@@ -2103,14 +2124,9 @@ endmodule
 // depth = 64
 // width = 328
 module stream_fifo_d64_w328 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [327:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [327:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [327:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [327:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -2125,8 +2141,7 @@ module stream_fifo_d64_w328 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(328), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2147,25 +2162,16 @@ module stream_fifo_d64_w328 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2175,14 +2181,9 @@ endmodule
 // width = 10
 // storage = distributed
 module stream_fifo_d64_w10_distributed (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [9:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [9:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [9:0] entries [0:63];
@@ -2219,25 +2220,16 @@ module stream_fifo_d64_w10_distributed (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2246,58 +2238,57 @@ endmodule
 // latency = 10
 // initiation_interval = 1
 module splat_weighting (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Samples.
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire in_last,  // Closes its copy.
+    input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
+    input  wire [15:0] in_weight,  // Kernel weight.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    output wire out_valid,  // Samples with their contributions.
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire out_last,  // Closes its copy.
+    output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    output wire out_slot,  // Slot of the tile cache.
+    output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
+    output wire [15:0] out_weight,  // Kernel weight.
+    output wire [39:0] out_weighted_depth,  // Weighted depth.
+    output wire [23:0] out_depth_low,  // Near end of the depth band.
+    output wire [23:0] out_depth_high,  // Far end of the depth band.
+    output wire [15:0] out_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_2,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_3,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_4,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_5,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_6,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_7,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_8,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_9,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_10,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_cardinal_0  // Weighted continuous attributes, and cardinal ones as they are.
 );
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
@@ -2307,17 +2298,15 @@ module splat_weighting (
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [73:0] delay_10_from_0_out;
-    reg [15:0] weight_d8, weight_d9, weight_d10, reinterpret_25_d1, reinterpret_25_d2, reinterpret_25_d3;
-    reg [15:0] reinterpret_25_d4, reinterpret_27_d1, reinterpret_27_d2, reinterpret_27_d3, reinterpret_27_d4;
-    reg [15:0] reinterpret_29_d1, reinterpret_29_d2, reinterpret_29_d3, reinterpret_29_d4, reinterpret_31_d1;
-    reg [15:0] reinterpret_31_d2, reinterpret_31_d3, reinterpret_31_d4, reinterpret_33_d1, reinterpret_33_d2;
-    reg [15:0] reinterpret_33_d3, reinterpret_33_d4, reinterpret_35_d1, reinterpret_35_d2, reinterpret_35_d3;
-    reg [15:0] reinterpret_35_d4, reinterpret_37_d1, reinterpret_37_d2, reinterpret_37_d3, reinterpret_37_d4;
-    reg [15:0] reinterpret_39_d1, reinterpret_39_d2, reinterpret_39_d3, reinterpret_39_d4, reinterpret_41_d1;
-    reg [15:0] reinterpret_41_d2, reinterpret_41_d3, reinterpret_41_d4, reinterpret_43_d1, reinterpret_43_d2;
-    reg [15:0] reinterpret_43_d3, reinterpret_43_d4, reinterpret_45_d1, reinterpret_45_d2, reinterpret_45_d3;
-    reg [15:0] reinterpret_45_d4, reinterpret_47_d1, reinterpret_47_d2, reinterpret_47_d3, reinterpret_47_d4;
-    reg [15:0] reinterpret_49_d1, reinterpret_49_d2, reinterpret_49_d3, reinterpret_49_d4;
+    reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
+    reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
+    reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
+    reg [15:0] attribute_4_d1, attribute_4_d2, attribute_4_d3, attribute_4_d4, attribute_5_d1, attribute_5_d2;
+    reg [15:0] attribute_5_d3, attribute_5_d4, attribute_6_d1, attribute_6_d2, attribute_6_d3, attribute_6_d4;
+    reg [15:0] attribute_7_d1, attribute_7_d2, attribute_7_d3, attribute_7_d4, attribute_8_d1, attribute_8_d2;
+    reg [15:0] attribute_8_d3, attribute_8_d4, attribute_9_d1, attribute_9_d2, attribute_9_d3, attribute_9_d4;
+    reg [15:0] attribute_10_d1, attribute_10_d2, attribute_10_d3, attribute_10_d4, attribute_11_d1, attribute_11_d2;
+    reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -2329,6 +2318,17 @@ module splat_weighting (
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
 
+    wire end_d10 = delay_10_from_0_out[0];
+    wire last_d10 = delay_10_from_0_out[1];
+    wire inside_d10 = delay_10_from_0_out[2];
+    wire slot_d10 = delay_10_from_0_out[3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[9:4];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[33:10];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[57:34];
+    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[73:58];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {
@@ -2339,15 +2339,13 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w338 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
         .in_data({
-            delay_10_from_0_out[0], delay_10_from_0_out[1], delay_10_from_0_out[2], delay_10_from_0_out[3],
-            delay_10_from_0_out[9:4], weight_d10, mul_u16_u24_unit_y, delay_10_from_0_out[33:10],
-            delay_10_from_0_out[57:34], mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y,
-            mul_f16_unit_copy4_y, mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y,
-            mul_f16_unit_copy8_y, mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y,
-            mul_f16_unit_copy12_y, mul_f16_unit_copy13_y, delay_10_from_0_out[73:58]
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y,
+            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
+            mul_f16_unit_copy13_y, cardinal_0_d10
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -2357,72 +2355,71 @@ module splat_weighting (
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
-        .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_25_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4),
         .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_27_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_29_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_31_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_33_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_35_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_37_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_39_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_41_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_43_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_45_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_47_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_49_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
     );
 
@@ -2439,61 +2436,61 @@ module splat_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d8 <= weight_d7;
             weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
-            reinterpret_25_d1 <= in_attribute_0;
-            reinterpret_25_d2 <= reinterpret_25_d1;
-            reinterpret_25_d3 <= reinterpret_25_d2;
-            reinterpret_25_d4 <= reinterpret_25_d3;
-            reinterpret_27_d1 <= in_attribute_1;
-            reinterpret_27_d2 <= reinterpret_27_d1;
-            reinterpret_27_d3 <= reinterpret_27_d2;
-            reinterpret_27_d4 <= reinterpret_27_d3;
-            reinterpret_29_d1 <= in_attribute_2;
-            reinterpret_29_d2 <= reinterpret_29_d1;
-            reinterpret_29_d3 <= reinterpret_29_d2;
-            reinterpret_29_d4 <= reinterpret_29_d3;
-            reinterpret_31_d1 <= in_attribute_3;
-            reinterpret_31_d2 <= reinterpret_31_d1;
-            reinterpret_31_d3 <= reinterpret_31_d2;
-            reinterpret_31_d4 <= reinterpret_31_d3;
-            reinterpret_33_d1 <= in_attribute_4;
-            reinterpret_33_d2 <= reinterpret_33_d1;
-            reinterpret_33_d3 <= reinterpret_33_d2;
-            reinterpret_33_d4 <= reinterpret_33_d3;
-            reinterpret_35_d1 <= in_attribute_5;
-            reinterpret_35_d2 <= reinterpret_35_d1;
-            reinterpret_35_d3 <= reinterpret_35_d2;
-            reinterpret_35_d4 <= reinterpret_35_d3;
-            reinterpret_37_d1 <= in_attribute_6;
-            reinterpret_37_d2 <= reinterpret_37_d1;
-            reinterpret_37_d3 <= reinterpret_37_d2;
-            reinterpret_37_d4 <= reinterpret_37_d3;
-            reinterpret_39_d1 <= in_attribute_7;
-            reinterpret_39_d2 <= reinterpret_39_d1;
-            reinterpret_39_d3 <= reinterpret_39_d2;
-            reinterpret_39_d4 <= reinterpret_39_d3;
-            reinterpret_41_d1 <= in_attribute_8;
-            reinterpret_41_d2 <= reinterpret_41_d1;
-            reinterpret_41_d3 <= reinterpret_41_d2;
-            reinterpret_41_d4 <= reinterpret_41_d3;
-            reinterpret_43_d1 <= in_attribute_9;
-            reinterpret_43_d2 <= reinterpret_43_d1;
-            reinterpret_43_d3 <= reinterpret_43_d2;
-            reinterpret_43_d4 <= reinterpret_43_d3;
-            reinterpret_45_d1 <= in_attribute_10;
-            reinterpret_45_d2 <= reinterpret_45_d1;
-            reinterpret_45_d3 <= reinterpret_45_d2;
-            reinterpret_45_d4 <= reinterpret_45_d3;
-            reinterpret_47_d1 <= in_attribute_11;
-            reinterpret_47_d2 <= reinterpret_47_d1;
-            reinterpret_47_d3 <= reinterpret_47_d2;
-            reinterpret_47_d4 <= reinterpret_47_d3;
-            reinterpret_49_d1 <= in_attribute_12;
-            reinterpret_49_d2 <= reinterpret_49_d1;
-            reinterpret_49_d3 <= reinterpret_49_d2;
-            reinterpret_49_d4 <= reinterpret_49_d3;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_0_d2 <= attribute_0_d1;
+            attribute_0_d3 <= attribute_0_d2;
+            attribute_0_d4 <= attribute_0_d3;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_1_d2 <= attribute_1_d1;
+            attribute_1_d3 <= attribute_1_d2;
+            attribute_1_d4 <= attribute_1_d3;
+            attribute_2_d1 <= in_attribute_2;
+            attribute_2_d2 <= attribute_2_d1;
+            attribute_2_d3 <= attribute_2_d2;
+            attribute_2_d4 <= attribute_2_d3;
+            attribute_3_d1 <= in_attribute_3;
+            attribute_3_d2 <= attribute_3_d1;
+            attribute_3_d3 <= attribute_3_d2;
+            attribute_3_d4 <= attribute_3_d3;
+            attribute_4_d1 <= in_attribute_4;
+            attribute_4_d2 <= attribute_4_d1;
+            attribute_4_d3 <= attribute_4_d2;
+            attribute_4_d4 <= attribute_4_d3;
+            attribute_5_d1 <= in_attribute_5;
+            attribute_5_d2 <= attribute_5_d1;
+            attribute_5_d3 <= attribute_5_d2;
+            attribute_5_d4 <= attribute_5_d3;
+            attribute_6_d1 <= in_attribute_6;
+            attribute_6_d2 <= attribute_6_d1;
+            attribute_6_d3 <= attribute_6_d2;
+            attribute_6_d4 <= attribute_6_d3;
+            attribute_7_d1 <= in_attribute_7;
+            attribute_7_d2 <= attribute_7_d1;
+            attribute_7_d3 <= attribute_7_d2;
+            attribute_7_d4 <= attribute_7_d3;
+            attribute_8_d1 <= in_attribute_8;
+            attribute_8_d2 <= attribute_8_d1;
+            attribute_8_d3 <= attribute_8_d2;
+            attribute_8_d4 <= attribute_8_d3;
+            attribute_9_d1 <= in_attribute_9;
+            attribute_9_d2 <= attribute_9_d1;
+            attribute_9_d3 <= attribute_9_d2;
+            attribute_9_d4 <= attribute_9_d3;
+            attribute_10_d1 <= in_attribute_10;
+            attribute_10_d2 <= attribute_10_d1;
+            attribute_10_d3 <= attribute_10_d2;
+            attribute_10_d4 <= attribute_10_d3;
+            attribute_11_d1 <= in_attribute_11;
+            attribute_11_d2 <= attribute_11_d1;
+            attribute_11_d3 <= attribute_11_d2;
+            attribute_11_d4 <= attribute_11_d3;
+            attribute_12_d1 <= in_attribute_12;
+            attribute_12_d2 <= attribute_12_d1;
+            attribute_12_d3 <= attribute_12_d2;
+            attribute_12_d4 <= attribute_12_d3;
         end
     end
     always @(posedge clk) begin
@@ -2512,10 +2509,7 @@ endmodule
 // stages = 6
 // format = f16
 module float_mul_s6_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -2533,83 +2527,89 @@ module float_mul_s6_f16 (
     reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
     wire [4:0] b_field = b[14:10];
-    wire term_9 = ~(|b_field);
+    wire b_exponent_s1_inverted = ~(|b_field);
     wire [9:0] b_fraction = b[9:0];
-    wire term_10 = term_9 & ~b_fraction[9];
-    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
-    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
-    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
-    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
-    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
-    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
-    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
-    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
-    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
-    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
-    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
-    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
-    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
-    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
-    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
-    wire term_26 = &a_field & (a_fraction == 10'd0);
-    wire term_27 = ~(|b_field | |b_fraction);
-    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
-    wire term_29 = ~(|a_field | |a_fraction);
-    wire term_30 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
+    wire b_zeros_s1_both = b_exponent_s1_inverted & ~b_fraction[9];
+    wire b_zeros_s1_both_2 = b_zeros_s1_both & (~b_fraction[8] & ~b_fraction[7]);
+    wire b_zeros_s1_both_3 = ~b_fraction[6] & ~b_fraction[5];
+    wire b_zeros_s1_both_4 = b_zeros_s1_both_2 & (b_zeros_s1_both_3 & (~b_fraction[4] & ~b_fraction[3]));
+    wire b_zeros_s1_both_5 = ~b_fraction[2] & ~b_fraction[1];
+    wire [2:0] b_zeros_s1_bits = {1'd0, b_zeros_s1_both_5, b_zeros_s1_both_5 ? ~b_fraction[0] : ~b_fraction[2]};
+    wire [1:0] b_zeros_s1_bits_2 = {b_zeros_s1_both_3, b_zeros_s1_both_3 ? ~b_fraction[4] : ~b_fraction[6]};
+    wire [1:0] b_zeros_s1_bits_3 = {b_zeros_s1_both, b_zeros_s1_both ? ~b_fraction[8] : b_exponent_s1_inverted};
+    wire [2:0] b_zeros_s1_bits_4 = {b_zeros_s1_both_2, b_zeros_s1_both_2 ? b_zeros_s1_bits_2 : b_zeros_s1_bits_3};
+    wire [7:0] exponent_s3_plus_product_s3_21 = exponent_s3 + {7'd0, product_s3[21]};
+    wire exponent_s4_either = exponent_s3_plus_product_s3_21[7] | (exponent_s3_plus_product_s3_21 == 8'd0);
+    wire [21:0] significand_s4_choice = product_s3[21] ? product_s3 : (product_s3 << 1);
+    wire [12:0] significand_s5_choice = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
+    wire [12:0] significand_s5_choice_2 = distance_s4[2] ? (significand_s5_choice >> 4) : significand_s5_choice;
+    wire [12:0] significand_s5_choice_3 = distance_s4[1] ? (significand_s5_choice_2 >> 2) : significand_s5_choice_2;
+    wire [12:0] significand_s5_choice_4 = distance_s4[0] ? (significand_s5_choice_3 >> 1) : significand_s5_choice_3;
+    wire significand_s5_either = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |significand_s5_choice[3:0]);
+    wire significand_s5_either_2 = significand_s5_either | (distance_s4[1] & |significand_s5_choice_2[1:0]);
+    wire significand_s5_either_3 = significand_s5_either_2 | (distance_s4[0] & significand_s5_choice_3[0]);
+    wire [12:0] significand_s5_bits = {significand_s5_choice_4[12:1], significand_s5_choice_4[0] | significand_s5_either_3};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_inverted = ~(|b_field | |b_fraction);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field | |a_fraction);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] rounded_bits = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
-    wire [14:0] rounded = joined_31 + {14'd0, round_up};
-    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
-            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
+            b_zeros_s1 <= {b_zeros_s1_both_4, b_zeros_s1_both_4 ? b_zeros_s1_bits : b_zeros_s1_bits_4};
+            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | b_exponent_s1_inverted};
             b_significand_s1 <= {|b_field, b_fraction};
             left_s2 <= a_significand_s1 << a_zeros_s1;
             right_s2 <= b_significand_s1 << b_zeros_s1;
             exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
             product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
             exponent_s3 <= exponent_s2 - 8'd15;
-            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
-            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
-            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
-            exponent_s4 <= term_18 ? 8'd1 : sum_17;
+            distance_s4 <= (8'd1 - exponent_s3_plus_product_s3_21) & {8{exponent_s4_either}};
+            significand_s4 <= {significand_s4_choice[21:10], |significand_s4_choice[9:0]};
+            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : significand_s5_bits;
+            exponent_s4 <= exponent_s4_either ? 8'd1 : exponent_s3_plus_product_s3_21;
             exponent_s5 <= exponent_s4;
             sign_s1 <= a[15] ^ b[15];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
             sign_s5 <= sign_s4;
-            nan_s1 <= term_28 | (term_29 & term_30);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
-            infinite_s1 <= term_26 | term_30;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s1 <= term_29 | term_27;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -2619,10 +2619,7 @@ endmodule
 // a = u16
 // b = u24
 module integer_mul_s3_u16_u24 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [23:0] b,
     output reg  [39:0] y
 );
     reg [15:0] a_s1;
@@ -2647,9 +2644,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s4_f16_w16_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [15:0] magnitude_s1, magnitude_s2;
@@ -2659,49 +2654,54 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
     reg [5:0] exponent_s3;
     reg zero_s1, zero_s2, zero_s3;
 
-    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
-    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
-    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
-    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
-    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
-    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
-    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
-    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
-    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
-    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
-    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
-    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
-    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+    wire zeros_s2_both = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire zeros_s2_both_2 = zeros_s2_both & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire zeros_s2_both_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire zeros_s2_both_4 = zeros_s2_both_2 & (zeros_s2_both_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire zeros_s2_both_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire zeros_s2_both_6 = zeros_s2_both_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire zeros_s2_both_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire [1:0] zeros_s2_bits = {zeros_s2_both_7, zeros_s2_both_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]};
+    wire [1:0] zeros_s2_bits_2 = {zeros_s2_both_5, zeros_s2_both_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [2:0] zeros_s2_bits_3 = {zeros_s2_both_6, zeros_s2_both_6 ? zeros_s2_bits : zeros_s2_bits_2};
+    wire [1:0] zeros_s2_bits_4 = {zeros_s2_both_3, zeros_s2_both_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
+    wire [1:0] zeros_s2_bits_5 = {zeros_s2_both, zeros_s2_both ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [2:0] zeros_s2_bits_6 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_4 : zeros_s2_bits_5};
+    wire [5:0] exponent_s3_difference = 6'd14 - {2'd0, zeros_s2};
+    wire exponent_s3_either = exponent_s3_difference[5] | (exponent_s3_difference == 6'd0);
+    wire [15:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
+    wire [12:0] round_up_choice = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] round_up_choice_2 = distance_s3[2] ? (round_up_choice >> 4) : round_up_choice;
+    wire [12:0] round_up_choice_3 = distance_s3[1] ? (round_up_choice_2 >> 2) : round_up_choice_2;
+    wire [12:0] round_up_choice_4 = distance_s3[0] ? (round_up_choice_3 >> 1) : round_up_choice_3;
+    wire round_up_either = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |round_up_choice[3:0]);
+    wire round_up_either_2 = round_up_either | (distance_s3[1] & |round_up_choice_2[1:0]) | (distance_s3[0] & round_up_choice_3[0]);
+    wire [12:0] round_up_bits = {round_up_choice_4[12:1], round_up_choice_4[0] | round_up_either_2};
+    wire [12:0] round_up_choice_5 = |distance_s3[5:4] ? {12'd0, |significand_s3} : round_up_bits;
+    wire [14:0] rounded_bits = {exponent_s3[4:0] & {5{round_up_choice_5[12]}}, round_up_choice_5[11:2]};
+    wire round_up = round_up_choice_5[1] & (round_up_choice_5[0] | round_up_choice_5[2]);
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = zero_s3 ? 15'd0 : (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
-            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
-            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
-            exponent_s3 <= term_11 ? 6'd1 : difference_10;
+            zeros_s2 <= {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_3 : zeros_s2_bits_6};
+            distance_s3 <= (6'd1 - exponent_s3_difference) & {6{exponent_s3_either}};
+            significand_s3 <= {significand_s3_shifted[15:4], |significand_s3_shifted[3:0]};
+            exponent_s3 <= exponent_s3_either ? 6'd1 : exponent_s3_difference;
             zero_s1 <= a == 16'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
+            y <= {1'd0, y_choice};
         end
     end
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies with their slots.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -2770,7 +2770,15 @@ module splat_rasterizer (
     reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
     reg [2:0] column, row, left, right, bottom;
-    reg [23:0] center_x, center_y, ax, bx, ay, by, delta, mx, my;
+    reg [23:0] center_x;  // Projected center (px), the origin of what follows.
+    reg [23:0] center_y;  // Projected center (px), the origin of what follows.
+    reg [23:0] ax;  // `A` in x.
+    reg [23:0] bx;  // `B` in x.
+    reg [23:0] ay;  // `A` in y.
+    reg [23:0] by;  // `B` in y.
+    reg [23:0] delta;  // The determinant of `A` and `B`.
+    reg [23:0] mx;  // `m` in x.
+    reg [23:0] my;  // `m` in y.
 
     wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
     wire evaluation_out_inside, evaluation_out_slot;
@@ -2781,11 +2789,11 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire term_2 = column == right;
-    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
-    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
-    wire term_5 = {choice_3, choice_4} == {right, bottom};
+    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire column_is_right = column == right;
+    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
+    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
+    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
     assign out_valid = evaluation_out_valid;
@@ -2802,11 +2810,10 @@ module splat_rasterizer (
     } = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk), .rst(rst),
-        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
-        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
-        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
-        .in_my(my),
+        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
+        .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
+        .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
         .filter_scale(filter_scale),
         .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
         .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
@@ -2814,8 +2821,7 @@ module splat_rasterizer (
     );
 
     stream_fifo_d64_w296 shared (
-        .clk(clk), .rst(rst),
-        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
@@ -2835,7 +2841,7 @@ module splat_rasterizer (
         end else begin
             if (evaluation_in_ready) begin
                 busy <= load | (busy & ~is_last);
-                idle <= load ? term_1 : (~busy | (is_last | term_5));
+                idle <= load ? idle_either : (~busy | (is_last | idle_same));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -2861,9 +2867,9 @@ module splat_rasterizer (
             my <= in_my;
         end
         if (evaluation_in_ready) begin
-            is_last <= load ? term_1 : term_5;
-            column <= load ? in_left : choice_3;
-            row <= load ? in_top : choice_4;
+            is_last <= load ? idle_either : idle_same;
+            column <= load ? in_left : idle_choice;
+            row <= load ? in_top : idle_choice_2;
         end
     end
 
@@ -2874,14 +2880,9 @@ endmodule
 // depth = 64
 // width = 296
 module stream_fifo_d64_w296 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [295:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [295:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [295:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [295:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -2896,8 +2897,7 @@ module stream_fifo_d64_w296 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(296), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2918,25 +2918,16 @@ module stream_fifo_d64_w296 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2945,32 +2936,15 @@ endmodule
 // latency = 58
 // initiation_interval = 1
 module splat_evaluation (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_slot,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
+    input  wire in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
+    input  wire [23:0] in_center_x, input wire [23:0] in_center_y, input wire [23:0] in_ax,
+    input  wire [23:0] in_bx, input wire [23:0] in_ay, input wire [23:0] in_by,
+    input  wire [23:0] in_delta, input wire [23:0] in_mx, input wire [23:0] in_my,
     input  wire [23:0] filter_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
+    output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
+    output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -3014,8 +2988,9 @@ module splat_evaluation (
     reg [5:0] delay_58_from_0_pointer;
     reg [6:0] delay_58_from_0_out;
     reg end_d53;
-    reg [23:0] neg_18_d1, neg_18_d2, neg_18_d3, neg_23_d1, neg_23_d2, neg_23_d3;
-    reg not_62_d1;
+    reg [23:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
+    reg [23:0] minus_center_y_d3;
+    reg not_end_d1;
     reg [57:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -3031,24 +3006,33 @@ module splat_evaluation (
     wire lt_f24_ftz_unit_y;
     wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
 
-    wire [23:0] select_53 = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
-    wire not_62 = ~delay_52_from_0_out;
-    wire and_63 = lt_f24_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_53_from_0_out | and_63;
-    wire or_65 = end_d53 | or_64;
-    wire xor_51 = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
+    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
+    wire end_d58 = delay_5_from_0_out[0];
+    wire last_d58 = delay_5_from_0_out[1];
+    wire inside_out_d5 = delay_5_from_0_out[2];
+    wire slot_d58 = delay_58_from_0_out[0];
+    wire [5:0] pixel_out_d58 = delay_58_from_0_out[6:1];
+    wire [23:0] ay_d9 = delay_9_from_0_out[23:0];
+    wire [23:0] ax_d9 = delay_9_from_0_out[47:24];
+    wire [23:0] by_d9 = delay_9_from_0_out[71:48];
+    wire [23:0] bx_d9 = delay_9_from_0_out[95:72];
+    wire [23:0] mx_d9 = delay_9_from_0_out[119:96];
+    wire [23:0] my_d9 = delay_9_from_0_out[143:120];
+    wire [23:0] rho_squared_chosen = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
+    wire not_end = ~delay_52_from_0_out;
+    wire inside_out = lt_f24_ftz_unit_y & not_end_d1;
+    wire last_or_inside_out = delay_53_from_0_out | inside_out;
+    wire end_or_last_or_inside_out = end_d53 | last_or_inside_out;
+    wire rho_squared_unequal = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[57] & delay_5_from_0_out[3]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_5_from_0_out[0], delay_5_from_0_out[1], delay_5_from_0_out[2], delay_58_from_0_out[0],
-            delay_58_from_0_out[6:1], interpolate_8_8_16_unit_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[57] & end_or_last_or_inside_out_d5),
+        .in_ready(queue_in_ready),
+        .in_data({end_d58, last_d58, inside_out_d5, slot_d58, pixel_out_d58, interpolate_8_8_16_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -3061,12 +3045,12 @@ module splat_evaluation (
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(neg_18_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(neg_23_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
@@ -3101,32 +3085,29 @@ module splat_evaluation (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[23:0]),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(ay_d9), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[47:24]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(ax_d9),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[71:48]),
-        .y(mul_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(by_d9), .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[95:72]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(bx_d9),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[119:96]),
-        .y(mul_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(mx_d9), .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[143:120]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(my_d9),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
@@ -3166,7 +3147,8 @@ module splat_evaluation (
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(select_53), .b(delay_26_from_0_out), .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(rho_squared_chosen), .b(delay_26_from_0_out),
+        .y(min_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
@@ -3211,18 +3193,18 @@ module splat_evaluation (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             end_d53 <= delay_52_from_0_out;
-            neg_18_d1 <= {~in_center_x[23], in_center_x[22:0]};
-            neg_18_d2 <= neg_18_d1;
-            neg_18_d3 <= neg_18_d2;
-            neg_23_d1 <= {~in_center_y[23], in_center_y[22:0]};
-            neg_23_d2 <= neg_23_d1;
-            neg_23_d3 <= neg_23_d2;
-            not_62_d1 <= not_62;
+            minus_center_x_d1 <= {~in_center_x[23], in_center_x[22:0]};
+            minus_center_x_d2 <= minus_center_x_d1;
+            minus_center_x_d3 <= minus_center_x_d2;
+            minus_center_y_d1 <= {~in_center_y[23], in_center_y[22:0]};
+            minus_center_y_d2 <= minus_center_y_d1;
+            minus_center_y_d3 <= minus_center_y_d2;
+            not_end_d1 <= not_end;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_53_from_0_out, end_d53};
+            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_53_from_0_out, end_d53};
         end
         if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
@@ -3245,7 +3227,7 @@ module splat_evaluation (
         if (queue_in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_24_from_0[delay_24_from_0_pointer] <= xor_51;
+        if (queue_in_ready) delay_24_from_0[delay_24_from_0_pointer] <= rho_squared_unequal;
         if (queue_in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -3273,9 +3255,7 @@ endmodule
 // index_bits = 8
 // fraction_bits = 8
 module float_table_s4_i8_f8 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [32:0] entry_s1;
@@ -3545,8 +3525,8 @@ module float_table_s4_i8_f8 (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s2};
-    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] rise_s3_bits = {1'd0, fraction_s2};
+    wire [25:0] slope_s2_times_rise_s3_bits = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{rise_s3_bits[8]}}, rise_s3_bits});
 
     always @(posedge clk) begin
         if (enable) begin
@@ -3554,14 +3534,14 @@ module float_table_s4_i8_f8 (
             fraction_s1 <= a[7:0];
             slope_s2 <= entry_s1[16:0];
             fraction_s2 <= fraction_s1;
-            rise_s3 <= product_2[23:8];
+            rise_s3 <= slope_s2_times_rise_s3_bits[23:8];
             start_s2 <= entry_s1[32:17];
             start_s3 <= start_s2;
             y <= start_s3 + rise_s3;
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
+    wire _unused = &{1'b0, slope_s2_times_rise_s3_bits[7:0], slope_s2_times_rise_s3_bits[25:24]};
 endmodule
 
 // Floating to fixed point.
@@ -3571,9 +3551,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w16_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [15:0] y
 );
     reg [3:0] distance_s1;
@@ -3581,40 +3559,37 @@ module float_to_fixed_s3_f24ftz_w16_f16_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
-    wire [10:0] difference_2 = 11'd16 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h792;
+    wire [10:0] distance_s1_difference = 11'd16 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[3:0];
+            distance_s1 <= distance_s1_difference[3:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= significand_s1 >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd17 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd17 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 16'd0 : saturates_s2 ? 16'hffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:4]};
+    wire _unused = &{1'b0, distance_s1_difference[10:4]};
 endmodule
 
 // Floating-point quotient, correctly rounded.
 // stages = 20
 // format = f24-ftz
 module float_div_s20_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [16:0] remainder_s1;
@@ -3683,114 +3658,114 @@ module float_div_s20_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [14:0] term_2 = b_fraction & {15{|b_field}};
-    wire [17:0] difference_3 = {2'd0, |a_field, term_1} - {2'd0, |b_field, term_2};
-    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : {|a_field, term_1};
-    wire [17:0] difference_5 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s1[15:0];
-    wire [17:0] difference_7 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s2[15:0];
-    wire [17:0] difference_9 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s3[15:0];
-    wire [17:0] difference_11 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s4[15:0];
-    wire [17:0] difference_13 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s5[15:0];
-    wire [17:0] difference_15 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s6[15:0];
-    wire [17:0] difference_17 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s7[15:0];
-    wire [17:0] difference_19 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s8[15:0];
-    wire [17:0] difference_21 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s9[15:0];
-    wire [17:0] difference_23 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s10[15:0];
-    wire [17:0] difference_25 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s11[15:0];
-    wire [17:0] difference_27 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s12[15:0];
-    wire [17:0] difference_29 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s13[15:0];
-    wire [17:0] difference_31 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s14[15:0];
-    wire [17:0] difference_33 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s15[15:0];
-    wire [17:0] difference_35 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s16[15:0];
-    wire [17:0] difference_37 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [15:0] choice_38 = ~difference_37[17] ? difference_37[15:0] : remainder_s17[15:0];
-    wire [18:0] joined_39 = {quotient_s18, |remainder_s18};
-    wire [18:0] choice_40 = ~quotient_s18[17] ? (joined_39 << 1) : joined_39;
-    wire term_41 = ~(|a_field);
-    wire term_42 = ~(|b_field);
-    wire term_43 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_41 & term_42);
-    wire term_44 = &a_field & (a_fraction == 15'd0);
-    wire term_45 = &b_field & (b_fraction == 15'd0);
-    wire term_46 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
-    wire term_47 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
+    wire [14:0] remainder_s1_both_2 = b_fraction & {15{|b_field}};
+    wire [17:0] remainder_s1_difference = {2'd0, |a_field, remainder_s1_both} - {2'd0, |b_field, remainder_s1_both_2};
+    wire [15:0] remainder_s1_choice = ~remainder_s1_difference[17] ? remainder_s1_difference[15:0] : {|a_field, remainder_s1_both};
+    wire [17:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [15:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[17] ? remainder_s1_minus_divisor_s1[15:0] : remainder_s1[15:0];
+    wire [17:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [15:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[17] ? remainder_s2_minus_divisor_s2[15:0] : remainder_s2[15:0];
+    wire [17:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [15:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[17] ? remainder_s3_minus_divisor_s3[15:0] : remainder_s3[15:0];
+    wire [17:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [15:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[17] ? remainder_s4_minus_divisor_s4[15:0] : remainder_s4[15:0];
+    wire [17:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [15:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[17] ? remainder_s5_minus_divisor_s5[15:0] : remainder_s5[15:0];
+    wire [17:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [15:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[17] ? remainder_s6_minus_divisor_s6[15:0] : remainder_s6[15:0];
+    wire [17:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [15:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[17] ? remainder_s7_minus_divisor_s7[15:0] : remainder_s7[15:0];
+    wire [17:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [15:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[17] ? remainder_s8_minus_divisor_s8[15:0] : remainder_s8[15:0];
+    wire [17:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [15:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[17] ? remainder_s9_minus_divisor_s9[15:0] : remainder_s9[15:0];
+    wire [17:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [15:0] remainder_s11_choice = ~remainder_s11_difference[17] ? remainder_s11_difference[15:0] : remainder_s10[15:0];
+    wire [17:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [15:0] remainder_s12_choice = ~remainder_s12_difference[17] ? remainder_s12_difference[15:0] : remainder_s11[15:0];
+    wire [17:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [15:0] remainder_s13_choice = ~remainder_s13_difference[17] ? remainder_s13_difference[15:0] : remainder_s12[15:0];
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [15:0] remainder_s14_choice = ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : remainder_s13[15:0];
+    wire [17:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [15:0] remainder_s15_choice = ~remainder_s15_difference[17] ? remainder_s15_difference[15:0] : remainder_s14[15:0];
+    wire [17:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [15:0] remainder_s16_choice = ~remainder_s16_difference[17] ? remainder_s16_difference[15:0] : remainder_s15[15:0];
+    wire [17:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [15:0] remainder_s17_choice = ~remainder_s17_difference[17] ? remainder_s17_difference[15:0] : remainder_s16[15:0];
+    wire [17:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [15:0] remainder_s18_choice = ~remainder_s18_difference[17] ? remainder_s18_difference[15:0] : remainder_s17[15:0];
+    wire [18:0] significand_s19_bits = {quotient_s18, |remainder_s18};
+    wire [18:0] significand_s19_choice = ~quotient_s18[17] ? (significand_s19_bits << 1) : significand_s19_bits;
+    wire nan_s1_inverted = ~(|a_field);
+    wire nan_s1_inverted_2 = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_inverted & nan_s1_inverted_2);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire y_both = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
     wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
     wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_48 = (zero_s19 | ((exponent_s19[9] | term_46) & ~infinite_s19)) ? 23'd0 : term_47 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s19 | ((exponent_s19[9] | y_both) & ~infinite_s19)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {choice_4, 1'd0};
-            quotient_s1 <= ~difference_3[17];
-            divisor_s1 <= {|b_field, term_2};
-            remainder_s2 <= {choice_6, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_5[17]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[17];
+            divisor_s1 <= {|b_field, remainder_s1_both_2};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[17]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_8, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_7[17]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[17]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_10, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_9[17]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[17]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_12, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_11[17]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[17]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_14, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_13[17]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[17]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_16, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_15[17]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[17]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_18, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_17[17]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[17]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_20, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_19[17]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[17]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_22, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_21[17]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[17]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_24, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_23[17]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[17]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_26, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_25[17]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[17]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_28, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_27[17]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[17]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_30, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_29[17]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[17]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_32, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_31[17]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[17]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_34, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_33[17]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[17]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_36, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_35[17]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[17]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_38, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_37[17]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[17]};
             exponent_s1 <= ({2'd0, a_field} - {2'd0, b_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -3810,7 +3785,7 @@ module float_div_s20_f24ftz (
             exponent_s17 <= exponent_s16;
             exponent_s18 <= exponent_s17;
             exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
-            significand_s19 <= {choice_40[18:2], |choice_40[1:0]};
+            significand_s19 <= {significand_s19_choice[18:2], |significand_s19_choice[1:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -3830,7 +3805,7 @@ module float_div_s20_f24ftz (
             sign_s17 <= sign_s16;
             sign_s18 <= sign_s17;
             sign_s19 <= sign_s18;
-            nan_s1 <= term_43 | (term_44 & term_45);
+            nan_s1 <= nan_s1_either | (nan_s1_both & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
@@ -3849,7 +3824,7 @@ module float_div_s20_f24ftz (
             nan_s17 <= nan_s16;
             nan_s18 <= nan_s17;
             nan_s19 <= nan_s18;
-            infinite_s1 <= term_44 | term_42;
+            infinite_s1 <= nan_s1_both | nan_s1_inverted_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
@@ -3868,7 +3843,7 @@ module float_div_s20_f24ftz (
             infinite_s17 <= infinite_s16;
             infinite_s18 <= infinite_s17;
             infinite_s19 <= infinite_s18;
-            zero_s1 <= term_41 | term_45;
+            zero_s1 <= nan_s1_inverted | nan_s1_both_2;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
@@ -3887,15 +3862,19 @@ module float_div_s20_f24ftz (
             zero_s17 <= zero_s16;
             zero_s18 <= zero_s17;
             zero_s19 <= zero_s18;
-            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_48};
+            y <= nan_s19 ? 24'h7fc000 : {sign_s19, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
-        difference_21[16], difference_23[16], difference_25[16], difference_27[16], difference_29[16],
-        difference_3[16], difference_31[16], difference_33[16], difference_35[16], difference_37[16],
-        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
+        1'b0, remainder_s11_difference[16], remainder_s12_difference[16], remainder_s13_difference[16],
+        remainder_s14_difference[16], remainder_s15_difference[16], remainder_s16_difference[16],
+        remainder_s17_difference[16], remainder_s18_difference[16], remainder_s1_difference[16],
+        remainder_s1_minus_divisor_s1[16], remainder_s2_minus_divisor_s2[16],
+        remainder_s3_minus_divisor_s3[16], remainder_s4_minus_divisor_s4[16],
+        remainder_s5_minus_divisor_s5[16], remainder_s6_minus_divisor_s6[16],
+        remainder_s7_minus_divisor_s7[16], remainder_s8_minus_divisor_s8[16],
+        remainder_s9_minus_divisor_s9[16], significand_s19[17]
     };
 endmodule
 
@@ -3906,9 +3885,7 @@ endmodule
 // fraction = 1
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w10_f1_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [9:0] a,
+    input  wire clk, input wire enable, input wire [9:0] a,
     output reg  [23:0] y
 );
     reg [9:0] magnitude_s1;
@@ -3917,27 +3894,27 @@ module float_from_fixed_s3_f24ftz_w10_f1_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[9] & ~a[8];
-    wire term_2 = term_1 & (~a[7] & ~a[6]);
-    wire term_3 = ~a[5] & ~a[4];
-    wire term_4 = term_2 & (term_3 & (~a[3] & ~a[2]));
-    wire term_5 = ~a[1] & ~a[0];
-    wire [1:0] choice_6 = term_2 ? {term_3, term_3 ? ~a[3] : ~a[5]} : {term_1, term_1 ? ~a[7] : ~a[9]};
-    wire [2:0] choice_7 = term_4 ? {1'd0, term_5, term_5 ? 1'd0 : ~a[1]} : {term_2, choice_6};
-    wire term_8 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_9_and_not_a_8 = ~a[9] & ~a[8];
+    wire zeros_s1_both = not_a_9_and_not_a_8 & (~a[7] & ~a[6]);
+    wire not_a_5_and_not_a_4 = ~a[5] & ~a[4];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_5_and_not_a_4 & (~a[3] & ~a[2]));
+    wire not_a_1_and_not_a_0 = ~a[1] & ~a[0];
+    wire [1:0] zeros_s1_choice = zeros_s1_both ? {not_a_5_and_not_a_4, not_a_5_and_not_a_4 ? ~a[3] : ~a[5]} : {not_a_9_and_not_a_8, not_a_9_and_not_a_8 ? ~a[7] : ~a[9]};
+    wire [2:0] zeros_s1_choice_2 = zeros_s1_both_2 ? {1'd0, not_a_1_and_not_a_0, not_a_1_and_not_a_0 ? 1'd0 : ~a[1]} : {zeros_s1_both, zeros_s1_choice};
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_4, choice_7};
+            zeros_s1 <= {zeros_s1_both_2, zeros_s1_choice_2};
             exponent_s2 <= 9'd135 - {5'd0, zeros_s1};
             significand_s2 <= {magnitude_s1 << zeros_s1, 8'd0};
             zero_s1 <= a == 10'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | term_8)) ? 23'd0 : choice_9};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -3947,14 +3924,9 @@ endmodule
 // Queue of two in registers.
 // width = 26
 module stream_skid_w26 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [25:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [25:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
 );
     reg second_valid;
     reg [25:0] head, second;
@@ -3980,17 +3952,14 @@ module stream_skid_w26 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3998,8 +3967,7 @@ endmodule
 // Control of the tile slots: placement, exchange with memory, end of frame.
 // slots = 2
 module splat_tile_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in order of tiles.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -4179,14 +4147,39 @@ module splat_tile_cache (
     input  wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drain_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
-    reg head_valid, head_end;
-    reg [23:0] head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx, head_my;
-    reg [23:0] head_depth, head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
-    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
-    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
-    reg [2:0] head_left, head_right, head_top, head_bottom;
-    reg [11:0] head_tile;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [23:0] head_center_x;  // Projected center (px), the origin of what follows.
+    reg [23:0] head_center_y;  // Projected center (px), the origin of what follows.
+    reg [23:0] head_ax;  // `A` in x.
+    reg [23:0] head_bx;  // `B` in x.
+    reg [23:0] head_ay;  // `A` in y.
+    reg [23:0] head_by;  // `B` in y.
+    reg [23:0] head_delta;  // The determinant of `A` and `B`.
+    reg [23:0] head_mx;  // `m` in x.
+    reg [23:0] head_my;  // `m` in y.
+    reg [23:0] head_depth;  // Depth.
+    reg [23:0] head_depth_low;  // What is nearer hides the splat.
+    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] head_attribute_0;  // Attributes.
+    reg [15:0] head_attribute_1;  // Attributes.
+    reg [15:0] head_attribute_2;  // Attributes.
+    reg [15:0] head_attribute_3;  // Attributes.
+    reg [15:0] head_attribute_4;  // Attributes.
+    reg [15:0] head_attribute_5;  // Attributes.
+    reg [15:0] head_attribute_6;  // Attributes.
+    reg [15:0] head_attribute_7;  // Attributes.
+    reg [15:0] head_attribute_8;  // Attributes.
+    reg [15:0] head_attribute_9;  // Attributes.
+    reg [15:0] head_attribute_10;  // Attributes.
+    reg [15:0] head_attribute_11;  // Attributes.
+    reg [15:0] head_attribute_12;  // Attributes.
+    reg [15:0] head_cardinal_0;  // Attributes.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
@@ -4221,31 +4214,31 @@ module splat_tile_cache (
     wire [338:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire term_1 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    wire term_2 = mode == 3'd5;
-    wire draining = term_2 | (moving & evict);
-    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & term_3;
-    wire term_4 = mode == 3'd0;
-    wire term_5 = mode == 3'd4;
-    wire term_6 = mode == 3'd3;
+    wire mode_is_6 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
+    wire mode_is_5 = mode == 3'd5;
+    wire draining = mode_is_5 | (moving & evict);
+    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & drain_step_either;
+    wire mode_is_0 = mode == 3'd0;
+    wire mode_is_4 = mode == 3'd4;
+    wire mode_is_3 = mode == 3'd3;
     wire head_takes = ~head_valid;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_7 = head_waits & ~head_end;
-    wire term_8 = resident_0 & is_of_copy_0;
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{term_8, copy_slot};
-    wire term_9 = out_queue_in_ready & ~((term_8 & &in_flight_0) | (copy_slot & &in_flight_1));
-    wire send = term_7 & (copy_hit & term_9);
+    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_10 = send | send_end;
+    wire send_or_send_end = send | send_end;
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_11 = term_1 & beat;
-    wire [27:0] choice_12 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_12;
+    wire mode_is_6_and_beat = mode_is_6 & beat;
+    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
+    wire visible = |visible_choice;
     wire in_queue_out_end = in_queue_out_data[536];
     wire [23:0] in_queue_out_center_x = in_queue_out_data[535:512];
     wire [23:0] in_queue_out_center_y = in_queue_out_data[511:488];
@@ -4279,32 +4272,32 @@ module splat_tile_cache (
     wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
-    wire term_13 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_13);
-    wire term_14 = showing | holding;
-    wire term_15 = (term_2 & (drained[6] & ~term_14)) | (term_1 & drained[6]);
-    wire next_tile = term_15 | (term_5 & ~touched);
+    wire finish_inverted = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
+    wire showing_or_holding = showing | holding;
+    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
+    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_16;
-    wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
-    wire start = term_7 & (~copy_hit & (term_13 & term_18));
-    wire term_19 = ~evict | (drained[6] & ~(term_14 | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & term_19));
-    wire term_20 = start | term_5;
-    wire term_21 = touched & (looked | (term_5 & ~sent_hit));
-    wire term_22 = looked | term_5;
+    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
+    wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
+    wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
+    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire start_or_mode_is_4 = start | mode_is_4;
+    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
+    wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire term_23 = start & ~next;
-    wire term_24 = done & ~slot;
-    wire term_25 = send & ~copy_slot;
-    wire term_26 = retire_valid & ~retire_slot;
-    wire term_27 = start & next;
-    wire term_28 = done & slot;
-    wire term_29 = send & copy_slot;
-    wire term_30 = retire_valid & retire_slot;
+    wire start_and_not_next = start & ~next;
+    wire done_and_not_slot = done & ~slot;
+    wire send_and_not_copy_slot = send & ~copy_slot;
+    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
+    wire start_and_next = start & next;
+    wire done_and_slot = done & slot;
+    wire send_and_copy_slot = send & copy_slot;
+    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
 
     assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
@@ -4337,15 +4330,13 @@ module splat_tile_cache (
     assign drain_pixel = drained[5:0];
 
     memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
-        .clk(clk),
-        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
-        .write_data(looked),
-        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
+        .write_address(looked ? read_tile : code), .write_data(looked),
+        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
     stream_half_buffer_w537 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4357,8 +4348,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w538 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_10), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
@@ -4371,8 +4361,7 @@ module splat_tile_cache (
     );
 
     stream_skid_w338 write_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
         .in_data({
             evict_tile, held_pixel, drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1,
             drain_attribute_2, drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6,
@@ -4383,18 +4372,19 @@ module splat_tile_cache (
     );
 
     stream_skid_w339 pixel_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_11) & visible)), .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
+        .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, code, term_2 ? held_pixel : drained[5:0], choice_12, term_2 ? drain_depth : data_depth,
-            term_2 ? drain_peak : data_peak, term_2 ? drain_attribute_0 : data_attribute_0,
-            term_2 ? drain_attribute_1 : data_attribute_1, term_2 ? drain_attribute_2 : data_attribute_2,
-            term_2 ? drain_attribute_3 : data_attribute_3, term_2 ? drain_attribute_4 : data_attribute_4,
-            term_2 ? drain_attribute_5 : data_attribute_5, term_2 ? drain_attribute_6 : data_attribute_6,
-            term_2 ? drain_attribute_7 : data_attribute_7, term_2 ? drain_attribute_8 : data_attribute_8,
-            term_2 ? drain_attribute_9 : data_attribute_9, term_2 ? drain_attribute_10 : data_attribute_10,
-            term_2 ? drain_attribute_11 : data_attribute_11, term_2 ? drain_attribute_12 : data_attribute_12,
-            term_2 ? drain_cardinal_0 : data_cardinal_0
+            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
+            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_peak : data_peak,
+            mode_is_5 ? drain_attribute_0 : data_attribute_0, mode_is_5 ? drain_attribute_1 : data_attribute_1,
+            mode_is_5 ? drain_attribute_2 : data_attribute_2, mode_is_5 ? drain_attribute_3 : data_attribute_3,
+            mode_is_5 ? drain_attribute_4 : data_attribute_4, mode_is_5 ? drain_attribute_5 : data_attribute_5,
+            mode_is_5 ? drain_attribute_6 : data_attribute_6, mode_is_5 ? drain_attribute_7 : data_attribute_7,
+            mode_is_5 ? drain_attribute_8 : data_attribute_8, mode_is_5 ? drain_attribute_9 : data_attribute_9,
+            mode_is_5 ? drain_attribute_10 : data_attribute_10,
+            mode_is_5 ? drain_attribute_11 : data_attribute_11,
+            mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
         }),
         .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
@@ -4421,30 +4411,30 @@ module splat_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_10 : in_queue_out_valid;
-            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_17;
-            code_read <= term_6 & ~code_read;
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
+            code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
-            if (term_4 | next_tile) code <= code + 12'd1;
+            if (mode_is_0 | next_tile) code <= code + 12'd1;
             if (looked | done) moving <= looked;
-            if (term_21 | read_ready) read_valid <= term_21;
+            if (read_valid_both | read_ready) read_valid <= read_valid_both;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
             if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
-            if (term_23 | close) resident_0 <= term_23;
-            if (term_24 | term_23 | finish) ready_0 <= term_24;
-            if (term_25 ^ term_26) begin
-                in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (start_and_not_next | close) resident_0 <= start_and_not_next;
+            if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
+            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
+                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_27 | close) resident_1 <= term_27;
-            if (term_28 | term_27 | finish) ready_1 <= term_28;
-            if (term_29 ^ term_30) begin
-                in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (start_and_next | close) resident_1 <= start_and_next;
+            if (done_and_slot | start_and_next | finish) ready_1 <= done_and_slot;
+            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
+                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
         end
     end
@@ -4483,26 +4473,28 @@ module splat_tile_cache (
             head_bottom <= in_queue_out_bottom;
             head_tile <= in_queue_out_tile;
         end
-        if (term_20) begin
-            slot <= term_5 ? sent_slot : next;
-            read_tile <= term_5 ? code : head_tile;
+        if (start_or_mode_is_4) begin
+            slot <= mode_is_4 ? sent_slot : next;
+            read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
         if (looked) load <= touched;
-        if (term_22 | (drain_next | term_11)) drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
+            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
+        end
         if (drain_next) shown_pixel <= drained[5:0];
         if (drain_step) held_pixel <= shown_pixel;
-        if (term_22 | fill) filled <= term_22 ? 7'd0 : (filled + 7'd1);
-        if (term_23) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
+        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
+        if (start_and_not_next) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
         is_of_code_1 <= tile_1 == code;
         touched <= stored_touched;
-        if (term_27) tile_1 <= head_tile;
+        if (start_and_next) tile_1 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -4526,25 +4518,18 @@ module splat_tile_cache (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~term_26 | |in_flight_0)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                slot_0_retires_what_entered: assert (0);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
 `else
-                $display("assertion failed: slot_0_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_30 | |in_flight_1)) begin
-`ifdef FORMAL
-                slot_1_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_1_retires_what_entered in %m");
-                $stop;
-`endif
-            end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
+        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -4552,14 +4537,9 @@ endmodule
 // Queue of two in registers.
 // width = 339
 module stream_skid_w339 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [338:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [338:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
 );
     reg second_valid;
     reg [338:0] head, second;
@@ -4585,17 +4565,14 @@ module stream_skid_w339 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4603,14 +4580,9 @@ endmodule
 // Queue of two in registers.
 // width = 338
 module stream_skid_w338 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [337:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [337:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
 );
     reg second_valid;
     reg [337:0] head, second;
@@ -4636,17 +4608,14 @@ module stream_skid_w338 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4654,14 +4623,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 538
 module stream_half_buffer_w538 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [537:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [537:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [537:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [537:0] out_data
 );
     reg full;
     reg [537:0] item;
@@ -4672,22 +4636,16 @@ module stream_half_buffer_w538 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
 // levels = 12
 module splat_reorder (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in any order.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -4799,14 +4757,12 @@ module splat_reorder (
     } = out_queue_out_data;
 
     memory_1w1r_unordered #(.WIDTH(524), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk),
-        .write(offer), .write_address(free), .write_data(in_queue_out_data[535:12]),
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[535:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w537 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4818,30 +4774,27 @@ module splat_reorder (
     );
 
     stream_half_buffer_w537 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w537 caught (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk), .rst(rst),
-        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+        .in_pointer(free),
         .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d4096_w12 returned (
-        .clk(clk), .rst(rst),
-        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -4866,17 +4819,14 @@ module splat_reorder (
     wire _unused = &{1'b0, returned_in_ready};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~leaving | returned_in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                pointers_fit: assert (0);
+        pointers_fit: assert (~leaving | returned_in_ready);
 `else
-                $display("assertion failed: pointers_fit in %m");
-                $stop;
-`endif
-            end
+        if (!(~leaving | returned_in_ready)) begin
+            $display("assertion failed: pointers_fit in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4885,14 +4835,9 @@ endmodule
 // depth = 4096
 // width = 12
 module stream_fifo_d4096_w12 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [11:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [11:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
 );
     reg [12:0] held, waiting;
     reg [11:0] write_address, read_address;
@@ -4907,8 +4852,7 @@ module stream_fifo_d4096_w12 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(12), .DEPTH(4096)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -4929,25 +4873,16 @@ module stream_fifo_d4096_w12 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 13'h1000)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 13'h1000);
+        held_is_waiting_and_shown: assert (held == (waiting + {12'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {12'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 13'h1000)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {12'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4957,8 +4892,7 @@ endmodule
 // interval = 4
 // sequence_bits = 16
 module splat_heap (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Entries in any order.
     output wire in_ready,
     input  wire [11:0] in_tile,  // Tile index.
@@ -5028,8 +4962,8 @@ module splat_heap (
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
     wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire term_1 = push & ~arrival[15];
-    wire term_2 = push & arrival[15];
+    wire push_and_not_arrival_15 = push & ~arrival[15];
+    wire push_and_arrival_15 = push & arrival[15];
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -5037,14 +4971,13 @@ module splat_heap (
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w24 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
+        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
+        .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
@@ -5052,17 +4985,15 @@ module splat_heap (
         .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
         .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
         .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root),
-        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
-        .below_row(stage_0_below_row)
+        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
+        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
@@ -5081,8 +5012,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
@@ -5101,8 +5031,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
@@ -5121,8 +5050,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
@@ -5141,8 +5069,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
         .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
         .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
@@ -5173,11 +5100,11 @@ module splat_heap (
             if (ends) lower <= ~lower;
             if (push ^ pop) count <= push ? (count + 12'd1) : (count - 12'd1);
             if (push) arrival <= arrival + 16'd1;
-            if (term_1 ^ (pop & ~stage_0_root[27])) begin
-                alive_even <= term_1 ? (alive_even + 12'd1) : (alive_even - 12'd1);
+            if (push_and_not_arrival_15 ^ (pop & ~stage_0_root[27])) begin
+                alive_even <= push_and_not_arrival_15 ? (alive_even + 12'd1) : (alive_even - 12'd1);
             end
-            if (term_2 ^ (pop & stage_0_root[27])) begin
-                alive_odd <= term_2 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
+            if (push_and_arrival_15 ^ (pop & stage_0_root[27])) begin
+                alive_odd <= push_and_arrival_15 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
             end
             if (pop) begin
                 current <= stage_0_root[39:28];
@@ -5198,26 +5125,12 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l10 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [9:0] step_row,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [9:0] promoted_node
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [9:0] step_row,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [9:0] promoted_node
 );
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -5248,84 +5161,89 @@ module splat_heap_stage_l10 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~sibling_stays_found;
-    wire term_2 = ~(left_exists_found | right_exists_found);
-    wire [11:0] choice_3 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_3[0];
-    wire term_4 = ends & (write_back_valid & ~side);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
+    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
+    wire [11:0] left_even_nodes_address_choice = lower ? last_row_before : {1'd0, row_before};
+    wire side = left_even_nodes_address_choice[0];
+    wire left_odd_nodes_write_both = ends & (write_back_valid & ~side);
     wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire choice_5 = lower ? 1'd0 : compared_exists;
-    wire term_6 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_1);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_5) & term_6) : write_back_ahead;
+    wire is_first_choice = lower ? 1'd0 : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_7 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_8 = write_back_hole & ~write_back_carry & choice_5;
-    wire choice_9 = lower ? 1'd0 : compared_right;
-    wire term_10 = write_back_right_below & ~(term_8 & choice_9 & (lower ? 1'd0 : term_2));
-    wire term_11 = ~write_back_hole & write_back_existed;
-    wire term_12 = ~choice_9;
-    wire sum_13 = write_back_left_count + ((term_8 & term_12) | (term_11 & term_12));
-    wire [43:0] node_to_store = {entry_to_store, term_7, term_10 | (term_11 & choice_9), sum_13};
-    wire choice_14 = lower ? compared_hole : step_hole;
-    wire choice_15 = lower ? left_exists_found : step_left_exists;
-    wire choice_16 = lower ? right_exists_found : step_right_exists;
-    wire choice_17 = lower ? compared_follows : step_follows;
-    wire newer = choice_17 & write_back_valid;
-    wire [43:0] choice_18 = row[0] ? left_odd_found : left_even_found;
-    wire [43:0] choice_19 = row[0] ? right_odd_found : right_even_found;
-    wire choice_20 = (choice_15 & choice_16) ? (newer ? first_side : (choice_18[2] ^ choice_19[2])) : choice_16;
-    wire goes_right = choice_14 ? choice_20 : lower ? left_full_found : step_right;
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? 1'd0 : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [43:0] node_to_store = {
+        entry_to_store, node_to_store_unequal, node_to_store_either,
+        write_back_left_count + node_to_store_either_2
+    };
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [43:0] compared_sibling_choice = row[0] ? left_odd_found : left_even_found;
+    wire [43:0] compared_sibling_choice_2 = row[0] ? right_odd_found : right_even_found;
+    wire compared_was_first_choice = newer ? first_side : (compared_sibling_choice[2] ^ compared_sibling_choice_2[2]);
+    wire compared_was_first_choice_2 = (compared_exists_choice & compared_exists_choice_2) ? compared_was_first_choice : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice_2 : lower ? left_full_found : step_right;
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_21 = lower ? {1'd0, step_row} : next_row[10:0];
-    wire term_22 = ends & (write_back_valid & side);
+    wire [10:0] row_choice = lower ? {1'd0, step_row} : next_row[10:0];
+    wire right_odd_nodes_write_both = ends & (write_back_valid & side);
     wire same_side = goes_right ^ ~side;
     wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
-    wire [40:0] choice_23 = ~goes_right ? choice_19[43:3] : choice_18[43:3];
-    wire term_24 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice_3 = ~goes_right ? compared_sibling_choice_2[43:3] : compared_sibling_choice[43:3];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_25 = compared_carried[40] == lap;
-    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
-    wire [27:0] joined_28 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_25 : (joined_26 < joined_28);
-    wire [27:0] joined_29 = {
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_sibling_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_sibling_bits < sibling_stays_bits);
+    wire before_sibling_in_order = before_sibling_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_29 < joined_27);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_1;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_2;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[9:0];
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_even_nodes (
-        .clk(clk),
-        .write(term_4 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21[10:1]), .read_data(left_even_shown)
+        .clk(clk), .write(left_odd_nodes_write_both & ~left_even_nodes_address_choice[1]),
+        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[10:1]), .read_data(left_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_odd_nodes (
-        .clk(clk),
-        .write(term_4 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21[10:1]), .read_data(left_odd_shown)
+        .clk(clk), .write(left_odd_nodes_write_both & left_even_nodes_address_choice[1]),
+        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[10:1]), .read_data(left_odd_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_even_nodes (
-        .clk(clk),
-        .write(term_22 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21[10:1]), .read_data(right_even_shown)
+        .clk(clk), .write(right_odd_nodes_write_both & ~left_even_nodes_address_choice[1]),
+        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[10:1]), .read_data(right_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_odd_nodes (
-        .clk(clk),
-        .write(term_22 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_21[10:1]), .read_data(right_odd_shown)
+        .clk(clk), .write(right_odd_nodes_write_both & left_even_nodes_address_choice[1]),
+        .write_address(left_even_nodes_address_choice[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[10:1]), .read_data(right_odd_shown)
     );
 
     always @(posedge clk) begin
@@ -5345,33 +5263,33 @@ module splat_heap_stage_l10 (
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_14;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_17 & same_side;
+            compared_follows <= compared_follows_choice & same_side;
             compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
-            compared_exists <= goes_right ? choice_16 : choice_15;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_20;
+            compared_was_first <= goes_right == compared_was_first_choice_2;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_23[40:12];
-            compared_sibling_exists <= goes_right ? choice_15 : choice_16;
-            compared_sibling_mark <= ~goes_right ? choice_19[2] : choice_18[2];
-            compared_entry <= goes_right ? choice_19[43:3] : choice_18[43:3];
-            compared_right_below <= goes_right ? choice_19[1] : choice_18[1];
-            compared_left_count <= goes_right ? choice_19[0] : choice_18[0];
+            compared_sibling <= compared_sibling_choice_3[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
+            compared_sibling_mark <= ~goes_right ? compared_sibling_choice_2[2] : compared_sibling_choice[2];
+            compared_entry <= goes_right ? compared_sibling_choice_2[43:3] : compared_sibling_choice[43:3];
+            compared_right_below <= goes_right ? compared_sibling_choice_2[1] : compared_sibling_choice[1];
+            compared_left_count <= goes_right ? compared_sibling_choice_2[0] : compared_sibling_choice[0];
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_24);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
             write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
             write_back_right_below <= chosen_right_below & compared_exists;
             write_back_left_count <= chosen_left_count & compared_exists;
             stored <= node_to_store;
-            row <= choice_21;
+            row <= row_choice;
             row_before <= row;
             last_row <= next_row;
             last_row_before <= last_row;
@@ -5389,7 +5307,7 @@ module splat_heap_stage_l10 (
         right_odd_found <= right_odd_shown;
     end
 
-    wire _unused = &{1'b0, choice_23[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice_3[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5397,42 +5315,18 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [7:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [9:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [7:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [9:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [7:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [9:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [9:0] below_row
 );
     reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -5465,98 +5359,100 @@ module splat_heap_stage_l8 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~sibling_stays_found;
-    wire term_2 = ~(left_exists_found | right_exists_found);
-    wire term_3 = compared_valid & compared_exists;
-    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
+    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
+    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
-    wire choice_5 = lower ? compared_hole : step_hole;
-    wire choice_6 = lower ? left_exists_found : step_left_exists;
-    wire choice_7 = lower ? right_exists_found : step_right_exists;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & write_back_valid;
-    wire [9:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_9[0];
-    wire choice_10 = lower ? below_promoted_exists : compared_exists;
-    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [9:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire [45:0] choice_12 = row[0] ? left_odd_found : left_even_found;
-    wire [45:0] choice_13 = row[0] ? right_odd_found : right_even_found;
-    wire choice_14 = (choice_6 & choice_7) ? (newer ? first_side : (choice_12[4] ^ choice_13[4])) : choice_7;
-    wire goes_right = choice_5 ? choice_14 : lower ? left_full_found : step_right;
+    wire [45:0] compared_entry_choice = row[0] ? left_odd_found : left_even_found;
+    wire [45:0] compared_entry_choice_2 = row[0] ? right_odd_found : right_even_found;
+    wire compared_was_first_choice = newer ? first_side : (compared_entry_choice[4] ^ compared_entry_choice_2[4]);
+    wire compared_was_first_choice_2 = (compared_exists_choice & compared_exists_choice_2) ? compared_was_first_choice : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice_2 : lower ? left_full_found : step_right;
     wire [9:0] next_row = {row, goes_right};
-    wire term_15 = ends & (write_back_valid & ~side);
+    wire left_odd_nodes_write_both = ends & (write_back_valid & ~side);
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_16 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_17 = write_back_hole & ~write_back_carry & choice_10;
-    wire choice_18 = lower ? below_promoted_right : compared_right;
-    wire term_19 = term_17 & choice_18 & (lower ? below_promoted_childless : term_2);
-    wire term_20 = ~write_back_hole & write_back_existed;
-    wire term_21 = (write_back_right_below & ~term_19) | (term_20 & choice_18);
-    wire term_22 = ~choice_18;
-    wire term_23 = term_17 & term_22;
-    wire [2:0] sum_24 = write_back_left_count + {{2{term_23}}, term_23 | (term_20 & term_22)};
-    wire [45:0] node_to_store = {entry_to_store, term_16, term_21, sum_24};
-    wire [8:0] choice_25 = lower ? {1'd0, step_row} : next_row[8:0];
-    wire term_26 = ends & (write_back_valid & side);
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
+    wire [45:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [8:0] row_choice = lower ? {1'd0, step_row} : next_row[8:0];
+    wire right_odd_nodes_write_both = ends & (write_back_valid & side);
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_27 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
-    wire term_28 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? compared_entry_choice_2[45:5] : compared_entry_choice[45:5];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_29 = compared_carried[40] == lap;
-    wire [27:0] joined_30 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_31 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_29 : (joined_30 < joined_31);
-    wire [27:0] joined_32 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_29 : (joined_30 < joined_32);
-    wire [27:0] joined_33 = {
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_33 < joined_31);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_1;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_2;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[7:0];
-    assign below_valid = term_3;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
     assign below_right = left_full_found;
     assign below_left_exists = left_exists_found;
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_4;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_even_nodes (
-        .clk(clk),
-        .write(term_15 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25[8:1]), .read_data(left_even_shown)
+        .clk(clk), .write(left_odd_nodes_write_both & ~side_choice[1]), .write_address(side_choice[9:2]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[8:1]), .read_data(left_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_odd_nodes (
-        .clk(clk),
-        .write(term_15 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25[8:1]), .read_data(left_odd_shown)
+        .clk(clk), .write(left_odd_nodes_write_both & side_choice[1]), .write_address(side_choice[9:2]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[8:1]), .read_data(left_odd_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_even_nodes (
-        .clk(clk),
-        .write(term_26 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25[8:1]), .read_data(right_even_shown)
+        .clk(clk), .write(right_odd_nodes_write_both & ~side_choice[1]), .write_address(side_choice[9:2]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[8:1]), .read_data(right_even_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_odd_nodes (
-        .clk(clk),
-        .write(term_26 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_25[8:1]), .read_data(right_odd_shown)
+        .clk(clk), .write(right_odd_nodes_write_both & side_choice[1]), .write_address(side_choice[9:2]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice[8:1]), .read_data(right_odd_shown)
     );
 
     always @(posedge clk) begin
@@ -5569,40 +5465,40 @@ module splat_heap_stage_l8 (
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
-                compared_valid <= lower ? term_3 : step_valid;
+                compared_valid <= lower ? below_valid_both : step_valid;
                 write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_5;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_8 & same_side;
-            compared_carried <= lower ? choice_4 : step_entry;
-            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_follows <= compared_follows_choice & same_side;
+            compared_carried <= lower ? below_entry_choice : step_entry;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_14;
+            compared_was_first <= goes_right == compared_was_first_choice_2;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_27[40:12];
-            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
-            compared_sibling_mark <= ~goes_right ? choice_13[4] : choice_12[4];
-            compared_entry <= goes_right ? choice_13[45:5] : choice_12[45:5];
-            compared_right_below <= goes_right ? choice_13[3] : choice_12[3];
-            compared_left_count <= goes_right ? choice_13[2:0] : choice_12[2:0];
+            compared_sibling <= compared_sibling_choice[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
+            compared_sibling_mark <= ~goes_right ? compared_entry_choice_2[4] : compared_entry_choice[4];
+            compared_entry <= goes_right ? compared_entry_choice_2[45:5] : compared_entry_choice[45:5];
+            compared_right_below <= goes_right ? compared_entry_choice_2[3] : compared_entry_choice[3];
+            compared_left_count <= goes_right ? compared_entry_choice_2[2:0] : compared_entry_choice[2:0];
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_28);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
             write_back_entry <= first;
             write_back_right_below <= chosen_right_below & compared_exists;
             write_back_left_count <= chosen_left_count & {3{compared_exists}};
             stored <= node_to_store;
-            row <= choice_25;
+            row <= row_choice;
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
@@ -5618,7 +5514,7 @@ module splat_heap_stage_l8 (
         right_odd_found <= right_odd_shown;
     end
 
-    wire _unused = &{1'b0, choice_27[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5626,42 +5522,18 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l6 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [5:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [7:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [5:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [7:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [5:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [7:0] below_row
 );
     (* ram_style = "distributed" *)
     reg [47:0] left_nodes [0:127];
@@ -5691,68 +5563,69 @@ module splat_heap_stage_l6 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~sibling_stays_found;
-    wire term_2 = ~(left_exists_found | right_exists_found);
-    wire term_3 = compared_valid & compared_exists;
-    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
+    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
+    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
-    wire choice_5 = lower ? compared_hole : step_hole;
-    wire choice_6 = lower ? left_exists_found : step_left_exists;
-    wire choice_7 = lower ? right_exists_found : step_right_exists;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & write_back_valid;
-    wire [7:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_9[0];
-    wire choice_10 = lower ? below_promoted_exists : compared_exists;
-    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_7;
-    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_13 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[47:7] : left_shown[47:7];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
-    wire choice_17 = lower ? below_promoted_right : compared_right;
-    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
-    wire term_19 = ~write_back_hole & write_back_existed;
-    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
-    wire term_21 = ~choice_17;
-    wire term_22 = term_16 & term_21;
-    wire [4:0] sum_23 = write_back_left_count + {{4{term_22}}, term_22 | (term_19 & term_21)};
-    wire [47:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
+    wire [47:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_24 = compared_carried[40] == lap;
-    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
-    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
-    wire [27:0] joined_28 = {
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_1;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_2;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[5:0];
-    assign below_valid = term_3;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
     assign below_right = left_full_found;
     assign below_left_exists = left_exists_found;
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_4;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
@@ -5766,25 +5639,25 @@ module splat_heap_stage_l6 (
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
-                compared_valid <= lower ? term_3 : step_valid;
+                compared_valid <= lower ? below_valid_both : step_valid;
                 write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_5;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_8 & same_side;
-            compared_carried <= lower ? choice_4 : step_entry;
-            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_follows <= compared_follows_choice & same_side;
+            compared_carried <= lower ? below_entry_choice : step_entry;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_12;
+            compared_was_first <= goes_right == compared_was_first_choice;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_13[40:12];
-            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling <= compared_sibling_choice[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
             compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
             compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
             compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
@@ -5792,7 +5665,7 @@ module splat_heap_stage_l6 (
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
             write_back_entry <= first;
@@ -5811,15 +5684,15 @@ module splat_heap_stage_l6 (
         sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[7:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[7:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[choice_9[7:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[side_choice[7:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_13[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5827,42 +5700,18 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l4 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [3:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [5:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [3:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [5:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [3:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [5:0] below_row
 );
     (* ram_style = "distributed" *)
     reg [49:0] left_nodes [0:31];
@@ -5892,68 +5741,69 @@ module splat_heap_stage_l4 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~sibling_stays_found;
-    wire term_2 = ~(left_exists_found | right_exists_found);
-    wire term_3 = compared_valid & compared_exists;
-    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
+    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
+    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
-    wire choice_5 = lower ? compared_hole : step_hole;
-    wire choice_6 = lower ? left_exists_found : step_left_exists;
-    wire choice_7 = lower ? right_exists_found : step_right_exists;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & write_back_valid;
-    wire [5:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_9[0];
-    wire choice_10 = lower ? below_promoted_exists : compared_exists;
-    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_7;
-    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_13 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[49:9] : left_shown[49:9];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
-    wire choice_17 = lower ? below_promoted_right : compared_right;
-    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
-    wire term_19 = ~write_back_hole & write_back_existed;
-    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
-    wire term_21 = ~choice_17;
-    wire term_22 = term_16 & term_21;
-    wire [6:0] sum_23 = write_back_left_count + {{6{term_22}}, term_22 | (term_19 & term_21)};
-    wire [49:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [6:0] node_to_store_sum = write_back_left_count + {{6{node_to_store_both_4}}, node_to_store_either_2};
+    wire [49:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire term_24 = compared_carried[40] == lap;
-    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
-    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
-    wire [27:0] joined_28 = {
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_1;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_2;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[3:0];
-    assign below_valid = term_3;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
     assign below_right = left_full_found;
     assign below_left_exists = left_exists_found;
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_4;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
@@ -5967,25 +5817,25 @@ module splat_heap_stage_l4 (
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
-                compared_valid <= lower ? term_3 : step_valid;
+                compared_valid <= lower ? below_valid_both : step_valid;
                 write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_5;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_8 & same_side;
-            compared_carried <= lower ? choice_4 : step_entry;
-            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_follows <= compared_follows_choice & same_side;
+            compared_carried <= lower ? below_entry_choice : step_entry;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_12;
+            compared_was_first <= goes_right == compared_was_first_choice;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_13[40:12];
-            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling <= compared_sibling_choice[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
             compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
             compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
             compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
@@ -5993,7 +5843,7 @@ module splat_heap_stage_l4 (
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
             write_back_entry <= first;
@@ -6012,15 +5862,15 @@ module splat_heap_stage_l4 (
         sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[5:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[5:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[choice_9[5:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[side_choice[5:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_13[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6028,42 +5878,18 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [1:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [3:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [1:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [3:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [1:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [3:0] below_row
 );
     (* ram_style = "distributed" *)
     reg [51:0] left_nodes [0:7];
@@ -6093,68 +5919,69 @@ module splat_heap_stage_l2 (
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
-    wire term_1 = compared_exists & ~sibling_stays_found;
-    wire term_2 = ~(left_exists_found | right_exists_found);
-    wire term_3 = compared_valid & compared_exists;
-    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
+    wire promoted_ahead_both = compared_exists & ~sibling_stays_found;
+    wire promoted_childless_inverted = ~(left_exists_found | right_exists_found);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
-    wire choice_5 = lower ? compared_hole : step_hole;
-    wire choice_6 = lower ? left_exists_found : step_left_exists;
-    wire choice_7 = lower ? right_exists_found : step_right_exists;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire newer = choice_8 & write_back_valid;
-    wire [3:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_9[0];
-    wire choice_10 = lower ? below_promoted_exists : compared_exists;
-    wire term_11 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_1);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_11) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_7;
-    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_13 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire term_14 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[51:11] : left_shown[51:11];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_15 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_16 = write_back_hole & ~write_back_carry & choice_10;
-    wire choice_17 = lower ? below_promoted_right : compared_right;
-    wire term_18 = term_16 & choice_17 & (lower ? below_promoted_childless : term_2);
-    wire term_19 = ~write_back_hole & write_back_existed;
-    wire term_20 = (write_back_right_below & ~term_18) | (term_19 & choice_17);
-    wire term_21 = ~choice_17;
-    wire term_22 = term_16 & term_21;
-    wire [8:0] sum_23 = write_back_left_count + {{8{term_22}}, term_22 | (term_19 & term_21)};
-    wire [51:0] node_to_store = {entry_to_store, term_15, term_20, sum_23};
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [8:0] node_to_store_sum = write_back_left_count + {{8{node_to_store_both_4}}, node_to_store_either_2};
+    wire [51:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire term_24 = compared_carried[40] == lap;
-    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
-    wire [27:0] joined_27 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_24 : (joined_25 < joined_27);
-    wire [27:0] joined_28 = {
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_28 < joined_26);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_1;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_2;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[1:0];
-    assign below_valid = term_3;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
     assign below_right = left_full_found;
     assign below_left_exists = left_exists_found;
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_4;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
@@ -6168,25 +5995,25 @@ module splat_heap_stage_l2 (
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
-                compared_valid <= lower ? term_3 : step_valid;
+                compared_valid <= lower ? below_valid_both : step_valid;
                 write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_5;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_8 & same_side;
-            compared_carried <= lower ? choice_4 : step_entry;
-            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_follows <= compared_follows_choice & same_side;
+            compared_carried <= lower ? below_entry_choice : step_entry;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_12;
+            compared_was_first <= goes_right == compared_was_first_choice;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_13[40:12];
-            compared_sibling_exists <= goes_right ? choice_6 : choice_7;
+            compared_sibling <= compared_sibling_choice[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
             compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
             compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
             compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
@@ -6194,7 +6021,7 @@ module splat_heap_stage_l2 (
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_14);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
             write_back_entry <= first;
@@ -6213,15 +6040,15 @@ module splat_heap_stage_l2 (
         sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[3:1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[3:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[choice_9[3:1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[side_choice[3:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_13[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6229,37 +6056,18 @@ endmodule
 // levels = 12
 // interval = 4
 module splat_heap_stage_l0 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling,
     input  wire newcomer_lap,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [1:0] below_promoted_node,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
     output wire [40:0] root,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [1:0] below_row
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [1:0] below_row
 );
     (* ram_style = "distributed" *)
     reg [53:0] left_nodes [0:1];
@@ -6287,66 +6095,68 @@ module splat_heap_stage_l0 (
     reg sibling_stays_found;
     reg [53:0] left_shown, right_shown;
 
-    wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & write_back_valid;
+    wire newer_choice = lower ? compared_follows : step_follows;
+    wire newer = newer_choice & write_back_valid;
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
-    wire choice_2 = lower ? newcomer_lap : compared_carried[40];
-    wire [40:0] joined_3 = {choice_2, compared_carried[39:0]};
-    wire [40:0] first = carried_first ? joined_3 : chosen_entry_found;
+    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[40];
+    wire [40:0] write_back_entry_bits = {before_chosen_choice, compared_carried[39:0]};
+    wire [40:0] first = carried_first ? write_back_entry_bits : chosen_entry_found;
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_4 = compared_valid & compared_exists;
-    wire [40:0] choice_5 = carried_first ? chosen_entry_found : joined_3;
+    wire below_valid_both = compared_valid & compared_exists;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry_found : write_back_entry_bits;
     wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
-    wire choice_6 = lower ? compared_hole : step_hole;
-    wire choice_7 = lower ? left_exists_found : step_left_exists;
-    wire choice_8 = lower ? right_exists_found : step_right_exists;
-    wire [1:0] choice_9 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_9[0];
-    wire choice_10 = lower ? below_promoted_exists : compared_exists;
-    wire choice_11 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays_found);
-    wire term_12 = ~write_back_sibling_exists | write_back_ahead | choice_11;
-    wire is_first = write_back_hole ? ((write_back_carry | choice_10) & term_12) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? left_exists_found : step_left_exists;
+    wire compared_exists_choice_2 = lower ? right_exists_found : step_right_exists;
+    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays_found);
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_13 = (choice_7 & choice_8) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_8;
-    wire goes_right = choice_6 ? choice_13 : lower ? left_full_found : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? left_full_found : step_right;
     wire [1:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_14 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire term_15 = carried_first & (before_sibling_found | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[53:13] : left_shown[53:13];
+    wire write_back_ahead_both = carried_first & (before_sibling_found | ~compared_sibling_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
     wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire term_16 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_17 = write_back_hole & ~write_back_carry & choice_10;
-    wire choice_18 = lower ? below_promoted_right : compared_right;
-    wire choice_19 = lower ? below_promoted_childless : ~(left_exists_found | right_exists_found);
-    wire term_20 = write_back_right_below & ~(term_17 & choice_18 & choice_19);
-    wire term_21 = ~write_back_hole & write_back_existed;
-    wire term_22 = ~choice_18;
-    wire term_23 = term_17 & term_22;
-    wire [10:0] sum_24 = write_back_left_count + {{10{term_23}}, term_23 | (term_21 & term_22)};
-    wire [53:0] node_to_store = {entry_to_store, term_16, term_20 | (term_21 & choice_18), sum_24};
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(left_exists_found | right_exists_found);
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [10:0] node_to_store_sum = write_back_left_count + {{10{node_to_store_both_4}}, node_to_store_either_2};
+    wire [53:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire term_25 = choice_2 == lap;
-    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
-    wire [27:0] joined_28 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (choice_2 ^ sibling[28]) ? term_25 : (joined_26 < joined_28);
-    wire [27:0] joined_29 = {
+    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] before_chosen_bits_2 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (before_chosen_choice ^ chosen_entry[40]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (before_chosen_choice ^ sibling[28]) ? before_chosen_choice_is_lap : before_sibling_in_order;
+    wire [27:0] sibling_stays_bits = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_29 < joined_27);
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits < before_chosen_bits_2);
 
     assign root = newer ? entry_to_store : right_shown[53:13];
-    assign below_valid = term_4;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
     assign below_right = left_full_found;
     assign below_left_exists = left_exists_found;
     assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_5;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
@@ -6360,25 +6170,25 @@ module splat_heap_stage_l0 (
             ends <= ~ends;
             if (ends) begin
                 lower <= ~lower;
-                compared_valid <= lower ? term_4 : step_valid;
+                compared_valid <= lower ? below_valid_both : step_valid;
                 write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
             end
         end
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_6;
+            compared_hole <= compared_hole_choice;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_1 & same_side;
-            compared_carried <= lower ? choice_5 : step_entry;
-            compared_exists <= goes_right ? choice_8 : choice_7;
+            compared_follows <= newer_choice & same_side;
+            compared_carried <= lower ? below_entry_choice : step_entry;
+            compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_13;
+            compared_was_first <= goes_right == compared_was_first_choice;
             compared_parent_sibling <= lower ? sibling : step_sibling;
             compared_chosen_stored <= newer & same_side;
             compared_sibling_stored <= newer & ~same_side;
-            compared_sibling <= choice_14[40:12];
-            compared_sibling_exists <= goes_right ? choice_7 : choice_8;
+            compared_sibling <= compared_sibling_choice[40:12];
+            compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
             compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
             compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
             compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
@@ -6386,7 +6196,7 @@ module splat_heap_stage_l0 (
             write_back_hole <= compared_hole;
             write_back_carry <= compared_carry;
             write_back_existed <= compared_exists;
-            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | term_15);
+            write_back_ahead <= compared_hole ? (compared_carry & before_sibling_found) : ((compared_exists & compared_was_first) | write_back_ahead_both);
             write_back_sibling_exists <= compared_sibling_exists;
             write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
             write_back_entry <= first;
@@ -6405,28 +6215,23 @@ module splat_heap_stage_l0 (
         sibling_stays_found <= sibling_stays;
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & ~side)) left_nodes[choice_9[1]] <= node_to_store;
+        if (ends & (write_back_valid & ~side)) left_nodes[side_choice[1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (write_back_valid & side)) right_nodes[choice_9[1]] <= node_to_store;
+        if (ends & (write_back_valid & side)) right_nodes[side_choice[1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_14[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Queue of two in registers.
 // width = 24
 module stream_skid_w24 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [23:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [23:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
 );
     reg second_valid;
     reg [23:0] head, second;
@@ -6452,25 +6257,21 @@ module stream_skid_w24 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Footprints with bounds in the image.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -6539,13 +6340,38 @@ module splat_splitter (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last, splat_end;
-    reg [23:0] splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta, splat_mx;
-    reg [23:0] splat_my, splat_depth, splat_depth_low, splat_depth_high;
-    reg [15:0] splat_attribute_0, splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4;
-    reg [15:0] splat_attribute_5, splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9;
-    reg [15:0] splat_attribute_10, splat_attribute_11, splat_attribute_12, splat_cardinal_0;
-    reg [8:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg busy, idle, last;
+    reg splat_end;  // Closes the frame.
+    reg [23:0] splat_center_x;  // Projected center (px), the origin of what follows.
+    reg [23:0] splat_center_y;  // Projected center (px), the origin of what follows.
+    reg [23:0] splat_ax;  // `A` in x.
+    reg [23:0] splat_bx;  // `B` in x.
+    reg [23:0] splat_ay;  // `A` in y.
+    reg [23:0] splat_by;  // `B` in y.
+    reg [23:0] splat_delta;  // The determinant of `A` and `B`.
+    reg [23:0] splat_mx;  // `m` in x.
+    reg [23:0] splat_my;  // `m` in y.
+    reg [23:0] splat_depth;  // Depth.
+    reg [23:0] splat_depth_low;  // What is nearer hides the splat.
+    reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] splat_attribute_0;  // Attributes.
+    reg [15:0] splat_attribute_1;  // Attributes.
+    reg [15:0] splat_attribute_2;  // Attributes.
+    reg [15:0] splat_attribute_3;  // Attributes.
+    reg [15:0] splat_attribute_4;  // Attributes.
+    reg [15:0] splat_attribute_5;  // Attributes.
+    reg [15:0] splat_attribute_6;  // Attributes.
+    reg [15:0] splat_attribute_7;  // Attributes.
+    reg [15:0] splat_attribute_8;  // Attributes.
+    reg [15:0] splat_attribute_9;  // Attributes.
+    reg [15:0] splat_attribute_10;  // Attributes.
+    reg [15:0] splat_attribute_11;  // Attributes.
+    reg [15:0] splat_attribute_12;  // Attributes.
+    reg [15:0] splat_cardinal_0;  // Attributes.
+    reg [8:0] splat_left;  // First column.
+    reg [8:0] splat_right;  // Last column.
+    reg [8:0] splat_top;  // First row.
+    reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -6554,11 +6380,10 @@ module splat_splitter (
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
     wire take = ready & in_valid;
-    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
-    wire term_2 = in_end | term_1;
-    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
-    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
+    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -6571,8 +6396,7 @@ module splat_splitter (
     } = out_queue_out_data;
 
     stream_half_buffer_w537 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
@@ -6592,14 +6416,14 @@ module splat_splitter (
             idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
-            idle <= take ? term_2 : (~busy | (last | term_5));
+            idle <= take ? idle_either : (~busy | (last | idle_same));
         end
     end
     always @(posedge clk) begin
         if (out_queue_in_ready) begin
-            last <= take ? term_2 : term_5;
-            column <= take ? in_left[8:3] : choice_4;
-            row <= take ? in_top[8:3] : choice_3;
+            last <= take ? idle_either : idle_same;
+            column <= take ? in_left[8:3] : idle_choice_2;
+            row <= take ? in_top[8:3] : idle_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -6640,14 +6464,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 537
 module stream_half_buffer_w537 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [536:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [536:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [536:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [536:0] out_data
 );
     reg full;
     reg [536:0] item;
@@ -6658,91 +6477,85 @@ module stream_half_buffer_w537 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
 // latency = 132
 // initiation_interval = 8
 module splat_setup (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in camera space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [23:0] filter_radius,
-    input  wire [23:0] scale_x,
-    input  wire [23:0] origin_x,
-    input  wire [23:0] scale_y,
-    input  wire [23:0] origin_y,
-    input  wire [23:0] depth_b,
-    input  wire [23:0] depth_a,
-    input  wire [23:0] epsilon_scale,
-    input  wire [23:0] epsilon_bias,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] scale_x,  // Scale (px).
+    input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
+    input  wire [23:0] scale_y,  // Scale (px).
+    input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
+    output wire out_valid,  // Footprints with bounds.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [8:0] out_left,
-    output wire [8:0] out_right,
-    output wire [8:0] out_top,
-    output wire [8:0] out_bottom
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [23:0] out_ax,  // `A` in x.
+    output wire [23:0] out_bx,  // `B` in x.
+    output wire [23:0] out_ay,  // `A` in y.
+    output wire [23:0] out_by,  // `B` in y.
+    output wire [23:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [23:0] out_mx,  // `m` in x.
+    output wire [23:0] out_my,  // `m` in y.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [8:0] out_left,  // First column.
+    output wire [8:0] out_right,  // Last column.
+    output wire [8:0] out_top,  // First row.
+    output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
     reg [224:0] delay_17_from_0 [0:15];
@@ -6770,34 +6583,37 @@ module splat_setup (
     reg [48:0] delay_9_from_6_out;
     reg [3:0] delay_10_from_6_pointer;
     reg [95:0] delay_10_from_6_out;
-    reg [23:0] recip_26_d1, reinterpret_27_d1, reinterpret_27_d2, reinterpret_27_d3, mul_28_d1, mul_28_d2, mul_28_d3;
-    reg [23:0] reinterpret_29_d1, reinterpret_29_d2, reinterpret_29_d3, mul_30_d1, mul_30_d2, mul_30_d3, add_33_d1;
-    reg [23:0] add_33_d2, add_33_d3, add_33_d4;
+    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, alpha_d1, alpha_d2, alpha_d3, tangent2_z_d1;
+    reg [23:0] tangent2_z_d2, tangent2_z_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2, q_d3, q_d4;
     reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
-    reg [23:0] reinterpret_41_d1, reinterpret_41_d2, reinterpret_41_d3, mul_42_d1, reinterpret_43_d1;
-    reg [23:0] reinterpret_43_d2, reinterpret_43_d3, mul_44_d1, mul_48_d1, reinterpret_49_d1, reinterpret_49_d2;
-    reg [23:0] reinterpret_49_d3, mul_50_d1, mul_54_d1, add_57_d1, add_57_d2, add_57_d3, add_57_d4, add_57_d5;
-    reg [23:0] add_57_d6, add_57_d7, add_57_d8, add_57_d9, add_57_d10, add_57_d11, add_60_d1, add_60_d2, add_65_d1;
-    reg [23:0] mul_66_d1, add_70_d1, add_70_d2, add_70_d3, add_70_d4, add_75_d1;
-    reg [21:0] shr_93_d1, select_96_d1, min_97_d1;
-    reg [8:0] resize_101_d1, resize_102_d1;
-    reg lt_103_d1;
-    reg [23:0] reinterpret_106_d1, reinterpret_106_d2, reinterpret_106_d3, mul_107_d1, reinterpret_108_d1;
-    reg [23:0] reinterpret_108_d2, reinterpret_108_d3, mul_109_d1, mul_113_d1, reinterpret_114_d1;
-    reg [23:0] reinterpret_114_d2, reinterpret_114_d3, mul_115_d1, mul_119_d1, add_122_d1, add_122_d2, add_122_d3;
-    reg [23:0] add_122_d4, add_122_d5, add_122_d6, add_122_d7, add_122_d8, add_122_d9, add_122_d10, add_122_d11;
-    reg [23:0] add_125_d1, add_125_d2, add_130_d1, mul_131_d1, add_132_d1, add_135_d1, add_135_d2, add_135_d3;
-    reg [23:0] add_135_d4, neg_136_d1, min_140_d1, max_142_d1;
-    reg [21:0] shr_153_d1, select_154_d1, min_155_d1;
-    reg [8:0] resize_159_d1;
-    reg lt_160_d1;
-    reg [23:0] mul_162_d1;
-    reg equal_171_d1, lt_174_d1;
-    reg [23:0] mul_180_d1, neg_182_d1, mul_185_d6, add_187_d1, add_187_d2, add_187_d3, add_190_d1, add_190_d2;
-    reg [23:0] abs_191_d1, abs_191_d2, sqrt_192_d1, mul_194_d1, mul_194_d2, mul_194_d3, select_199_d1, select_199_d2;
-    reg [23:0] min_200_d1, select_201_d1;
-    reg le_206_d1, le_206_d2, le_206_d3, le_206_d4, and_207_d1;
-    reg [23:0] to_fixed_218_d1, to_fixed_218_d2, to_fixed_218_d3, to_fixed_218_d4, to_fixed_222_d1, max_224_d1;
+    reg [23:0] center_x_d1, center_x_d2, center_x_d3, v_x_d1, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3;
+    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, r_times_tangent2_x_d1;
+    reg [23:0] b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3_copy2, center_x_d4, center_x_d5;
+    reg [23:0] center_x_d6, center_x_d7, center_x_d8, center_x_d9, center_x_d10, center_x_d11, t_x_sum_d1;
+    reg [23:0] t_x_sum_d2, a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1;
+    reg [23:0] center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_filter_radius_d1;
+    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, last_x_lesser_d1;
+    reg [8:0] first_x_d1, last_x_d1;
+    reg occupied_x_d1;
+    reg [23:0] center_y_d1, center_y_d2, center_y_d3, v_y_d1, tangent1_y_d1, tangent1_y_d2, tangent1_y_d3;
+    reg [23:0] r_times_tangent1_y_d1, a_y_d1, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, r_times_tangent2_y_d1;
+    reg [23:0] b_y_d1, center_y_d1_copy2, center_y_d2_copy2, center_y_d3_copy2, center_y_d4, center_y_d5;
+    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, center_y_d10, center_y_d11, t_y_sum_d1;
+    reg [23:0] t_y_sum_d2, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
+    reg [23:0] minus_h_y_d1, first_y_lesser_d1, last_y_greater_d1;
+    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, last_y_lesser_d1;
+    reg [8:0] last_y_d1;
+    reg occupied_y_d1;
+    reg [23:0] a_x_times_b_y_d1;
+    reg delta_bits_is_zero_d1, edge_on_in_order_d1;
+    reg [23:0] alpha_times_b_x_d1, minus_beta_times_a_x_d1, b_depth_d6, center_depth_d1, center_depth_d2;
+    reg [23:0] center_depth_d3, spread_middle_d1, spread_middle_d2, abs_b_depth_d1, abs_b_depth_d2, root_of_q_d1;
+    reg [23:0] spread_half_d1, spread_half_d2, spread_half_d3, middle_depth_d1, middle_depth_d2;
+    reg [23:0] half_depth_lesser_d1, half_depth_d1;
+    reg center_depth_up_to_one_d1, center_depth_up_to_one_d2, center_depth_up_to_one_d3;
+    reg center_depth_up_to_one_d4, visible_both_d1;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_high_out_greater_d1;
     reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
     reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
     reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a;
@@ -6822,109 +6638,134 @@ module splat_setup (
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire and_208 = lt_160_d1 & and_207_d1;
-    wire or_212 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
-    wire and_213 = and_208 & or_212;
-    wire or_215 = delay_17_from_0_out[0] | and_213;
-    wire term_1 = phase == 3'd4;
-    wire term_2 = in_flight[16] & or_215 & term_1;
-    wire [23:0] select_216 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
-    wire term_3 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire [21:0] add_92 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] add_84 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_96 = whole_d10 ? (add_84 >> 8) : 22'd0;
-    wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
-    wire [21:0] select_98 = whole_d10 ? min_97_d1 : 22'd512;
-    wire [21:0] sub_100 = select_98 - 22'd1;
-    wire lt_103 = select_96_d1 < select_98;
-    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] select_154 = whole_d10 ? (add_146 >> 8) : 22'd0;
-    wire [21:0] min_155 = (shr_153_d1 < 22'd512) ? shr_153_d1 : 22'd512;
-    wire [21:0] select_156 = whole_d11 ? min_155_d1 : 22'd512;
-    wire [21:0] sub_157 = select_156 - 22'd1;
-    wire lt_160 = select_154_d1 < select_156;
-    wire [8:0] joined_6 = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire equal_171 = joined_6 == 9'd0;
-    wire [8:0] add_169 = joined_6 + 9'd12;
-    wire lt_174 = add_169 < {1'd0, mul_162_d1[22:15]};
-    wire [23:0] joined_7 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire end_d17 = delay_17_from_0_out[0];
+    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both_d1;
+    wire edge_on_d8 = delay_8_from_4_out[0];
+    wire visible_unequal_d9 = delay_9_from_6_out[48];
+    wire edge_on_or_visible_unequal = edge_on_d8 | visible_unequal_d9;
+    wire visible = occupied_y_and_visible_both & edge_on_or_visible_unequal;
+    wire end_or_visible = end_d17 | visible;
+    wire phase_is_4 = phase == 3'd4;
+    wire queue_in_valid_both = in_flight[16] & end_or_visible & phase_is_4;
+    wire [23:0] a_x_d11 = delay_10_from_6_out[23:0];
+    wire [23:0] b_x_d11 = delay_10_from_6_out[47:24];
+    wire [23:0] a_y_d11 = delay_10_from_6_out[71:48];
+    wire [23:0] b_y_d11 = delay_10_from_6_out[95:72];
+    wire [23:0] delta_d9 = delay_9_from_6_out[23:0];
+    wire [23:0] delta_out = edge_on_d8 ? 24'h7fc000 : delta_d9;
+    wire [23:0] mx_d9 = delay_9_from_6_out[47:24];
+    wire [23:0] my_d8 = delay_8_from_4_out[24:1];
+    wire [15:0] attribute_0_d17 = delay_17_from_0_out[16:1];
+    wire [15:0] attribute_1_d17 = delay_17_from_0_out[32:17];
+    wire [15:0] attribute_2_d17 = delay_17_from_0_out[48:33];
+    wire [15:0] attribute_3_d17 = delay_17_from_0_out[64:49];
+    wire [15:0] attribute_4_d17 = delay_17_from_0_out[80:65];
+    wire [15:0] attribute_5_d17 = delay_17_from_0_out[96:81];
+    wire [15:0] attribute_6_d17 = delay_17_from_0_out[112:97];
+    wire [15:0] attribute_7_d17 = delay_17_from_0_out[128:113];
+    wire [15:0] attribute_8_d17 = delay_17_from_0_out[144:129];
+    wire [15:0] attribute_9_d17 = delay_17_from_0_out[160:145];
+    wire [15:0] attribute_10_d17 = delay_17_from_0_out[176:161];
+    wire [15:0] attribute_11_d17 = delay_17_from_0_out[192:177];
+    wire [15:0] attribute_12_d17 = delay_17_from_0_out[208:193];
+    wire [15:0] cardinal_0_d17 = delay_17_from_0_out[224:209];
+    wire [8:0] first_y = first_y_chosen_d1[8:0];
+    wire phase_is_7 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [8:0] first_x = first_x_chosen_d1[8:0];
+    wire [21:0] last_x_chosen = whole_d10 ? last_x_lesser_d1 : 22'd512;
+    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
+    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
+    wire occupied_x = first_x_chosen_d1 < last_x_chosen;
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_chosen = whole_d10 ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [21:0] last_y_chosen = whole_d11 ? last_y_lesser_d1 : 22'd512;
+    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
+    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
+    wire occupied_y = first_y_chosen_d1 < last_y_chosen;
+    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_d1[22:15]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
-    wire [23:0] select_199 = beyond_near ? add_190_d2 : add_187_d3;
-    wire [23:0] select_201 = beyond_near ? mul_194_d3 : min_200_d1;
-    wire and_207 = lt_103_d1 & le_206_d4;
-    wire [23:0] choice_8 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? scale_x : mul_28_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_28_d3 : scale_x;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_42_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_27_d3 : add_60_d2;
-    wire [23:0] choice_12 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_54_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_48_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_29_d3 : add_65_d1;
-    wire [23:0] choice_16 = phase[1] ? choice_14 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_54_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_185_d6) : phase[0] ? mul_54_d1 : scale_y;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? mul_54_d1 : reinterpret_108_d3) : phase[0] ? reinterpret_41_d3 : add_125_d2;
-    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_21 = phase[1] ? choice_20 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_113_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_191_d1) : scale_y;
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_113_d1 : reinterpret_114_d3) : phase[0] ? reinterpret_43_d3 : add_130_d1;
-    wire [23:0] choice_25 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_119_d1 : mul_28_d3) : phase[0] ? recip_f24_ftz_unit_y : add_33_d4;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_201_d1) : phase[0] ? mul_28_d3 : scale_y;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_49_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_119_d1 : mul_107_d1;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? recip_26_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_30_d3) : phase[0] ? mul_30_d3 : mul_48_d1;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_106_d3 : sqrt_192_d1;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_48_d1) : phase[0] ? mul_48_d1 : mul_119_d1;
-    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_162_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_35 = phase[1] ? (phase[0] ? add_57_d7 : add_57_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] joined_36 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_37 = phase[1] ? (phase[0] ? joined_36 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_38 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_39 = phase[0] ? joined_38 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_40 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_41 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_135_d4) : choice_41;
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_70_d4) : phase[0] ? mul_44_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_44 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_45 = phase[1] ? (phase[0] ? joined_44 : neg_136_d1) : choice_25;
-    wire [23:0] choice_46 = phase[1] ? (phase[0] ? depth_a : joined_5) : phase[0] ? joined_36 : mul_66_d1;
-    wire [23:0] choice_47 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_38) : choice_47;
-    wire [23:0] choice_49 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_50_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_50 = phase[0] ? {~mul_194_d1[23], mul_194_d1[22:0]} : add_122_d9;
-    wire [23:0] choice_51 = phase[1] ? choice_50 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_135_d4;
-    wire [23:0] joined_52 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_53 = phase[1] ? (phase[0] ? select_199_d2 : mul_180_d1) : phase[0] ? mul_180_d1 : filter_radius;
-    wire [23:0] choice_54 = phase[1] ? filter_radius : phase[0] ? mul_109_d1 : add_187_d1;
-    wire [23:0] joined_55 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? joined_55 : neg_182_d1) : phase[0] ? neg_182_d1 : add_122_d8;
-    wire [23:0] choice_57 = phase[1] ? add_57_d8 : phase[0] ? joined_44 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? select_199_d2 : add_122_d4) : add_122_d4;
-    wire [23:0] choice_59 = phase[1] ? add_122_d4 : phase[0] ? mul_115_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_36) : joined_36;
-    wire [23:0] choice_61 = phase[1] ? joined_36 : phase[0] ? joined_7 : epsilon_bias;
-    wire [23:0] choice_62 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_33_d1) : add_33_d1;
-    wire [23:0] choice_63 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_64 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? max_142_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_67 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] choice_68 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_71 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_72 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_224_d1;
-    wire edge_on = equal_171_d1 | lt_174_d1;
-    wire xor_210 = scale_x[23] ^ scale_y[23];
-    wire xor_211 = add_f24_ftz_unit_y[23] ^ xor_210;
+    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : center_depth_d3;
+    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_lesser_d1;
+    wire visible_both = occupied_x_d1 & center_depth_up_to_one_d4;
+    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : alpha_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? v_x_d1 : mul_f24_ftz_unit_y) : phase[0] ? tangent1_z_d3 : t_x_sum_d2;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? b_x_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? beta_d3 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? a_x_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? tangent2_z_d3 : a_x_squared_plus_b_x_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d6) : phase[0] ? b_x_d1 : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? b_x_d1 : tangent1_y_d3) : phase[0] ? center_x_d3 : t_y_sum_d2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y) : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_b_depth_d1) : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_y_d1 : tangent2_y_d3) : phase[0] ? tangent1_x_d3 : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? b_y_d1 : alpha_d3) : phase[0] ? recip_f24_ftz_unit_y : q_d4;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : half_depth_d1) : phase[0] ? alpha_d3 : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? b_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? b_y_d1 : v_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : beta_d3) : phase[0] ? beta_d3 : a_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? center_y_d3 : root_of_q_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : a_x_d1) : phase[0] ? a_x_d1 : b_y_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? a_x_times_b_y_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : center_x_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_filter_radius : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_y_minus_t_y_d4) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? delay_5_from_5_out : center_x_minus_t_x_d4) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] minus_mul_f24_ftz_unit_copy5_y = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy5_y : minus_h_y_d1) : mul_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? depth_a : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : minus_filter_radius) : phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? r_times_tangent2_x_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_y_d9;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy3_b_choice : phase[0] ? mul_f24_ftz_unit_copy5_y : center_y_minus_t_y_d4;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[0] ? {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? center_x_minus_t_x_d4 : add_f24_ftz_unit_copy3_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : alpha_times_b_x_d1) : phase[0] ? alpha_times_b_x_d1 : filter_radius;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? filter_radius : phase[0] ? r_times_tangent1_y_d1 : center_depth_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]} : minus_beta_times_a_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy4_b_choice : phase[0] ? minus_beta_times_a_x_d1 : center_y_d8;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[0] ? minus_mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : center_y_d4) : center_y_d4;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? center_y_d4 : phase[0] ? r_times_tangent2_y_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? add_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_b_choice : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : phase[0] ? minus_mul_f24_ftz_unit_copy6_y : epsilon_bias;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_y_greater_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? center_x_minus_filter_radius_d1 : abs_b_depth_d2;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice_2 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : depth_high_out_greater_d1;
+    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire visible_unequal = scale_x[23] ^ scale_y[23];
+    wire visible_unequal_copy2 = add_f24_ftz_unit_y[23] ^ visible_unequal;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -6937,18 +6778,13 @@ module splat_setup (
     } = queue_out_data;
 
     stream_skid_w549 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            delay_17_from_0_out[0], add_57_d11, add_122_d11, delay_10_from_6_out[23:0],
-            delay_10_from_6_out[47:24], delay_10_from_6_out[71:48], delay_10_from_6_out[95:72], select_216,
-            delay_9_from_6_out[47:24], delay_8_from_4_out[24:1], to_fixed_218_d4, to_fixed_222_d1,
-            to_fixed_f24_ftz_u24q24_unit_y, delay_17_from_0_out[16:1], delay_17_from_0_out[32:17],
-            delay_17_from_0_out[48:33], delay_17_from_0_out[64:49], delay_17_from_0_out[80:65],
-            delay_17_from_0_out[96:81], delay_17_from_0_out[112:97], delay_17_from_0_out[128:113],
-            delay_17_from_0_out[144:129], delay_17_from_0_out[160:145], delay_17_from_0_out[176:161],
-            delay_17_from_0_out[192:177], delay_17_from_0_out[208:193], delay_17_from_0_out[224:209],
-            resize_101_d1, resize_102_d1, select_154_d1[8:0], resize_159_d1
+            end_d17, center_x_d11, center_y_d11, a_x_d11, b_x_d11, a_y_d11, b_y_d11, delta_out, mx_d9, my_d8,
+            depth_out_d4, depth_low_out_d1, to_fixed_f24_ftz_u24q24_unit_y, attribute_0_d17, attribute_1_d17,
+            attribute_2_d17, attribute_3_d17, attribute_4_d17, attribute_5_d17, attribute_6_d17, attribute_7_d17,
+            attribute_8_d17, attribute_9_d17, attribute_10_d17, attribute_11_d17, attribute_12_d17,
+            cardinal_0_d17, first_x_d1, last_x_d1, first_y, last_y_d1
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7099,80 +6935,80 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_5) begin
-            recip_26_d1 <= recip_f24_ftz_unit_y;
-            add_122_d1 <= add_f24_ftz_unit_y;
-            add_122_d2 <= add_122_d1;
-            add_122_d3 <= add_122_d2;
-            add_122_d4 <= add_122_d3;
-            add_122_d5 <= add_122_d4;
-            add_122_d6 <= add_122_d5;
-            add_122_d7 <= add_122_d6;
-            add_122_d8 <= add_122_d7;
-            add_122_d9 <= add_122_d8;
-            add_122_d10 <= add_122_d9;
-            add_122_d11 <= add_122_d10;
-            mul_185_d6 <= delay_5_from_5_out;
-            sqrt_192_d1 <= sqrt_f24_ftz_unit_y;
-            to_fixed_222_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            r_d1 <= recip_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            center_y_d3_copy2 <= center_y_d2_copy2;
+            center_y_d4 <= center_y_d3_copy2;
+            center_y_d5 <= center_y_d4;
+            center_y_d6 <= center_y_d5;
+            center_y_d7 <= center_y_d6;
+            center_y_d8 <= center_y_d7;
+            center_y_d9 <= center_y_d8;
+            center_y_d10 <= center_y_d9;
+            center_y_d11 <= center_y_d10;
+            b_depth_d6 <= delay_5_from_5_out;
+            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
         if (load_0) begin
-            reinterpret_27_d1 <= in_tangent1_z;
-            reinterpret_27_d2 <= reinterpret_27_d1;
-            reinterpret_27_d3 <= reinterpret_27_d2;
-            reinterpret_29_d1 <= in_tangent2_z;
-            reinterpret_29_d2 <= reinterpret_29_d1;
-            reinterpret_29_d3 <= reinterpret_29_d2;
-            add_33_d1 <= add_f24_ftz_unit_y;
-            add_33_d2 <= add_33_d1;
-            add_33_d3 <= add_33_d2;
-            add_33_d4 <= add_33_d3;
-            reinterpret_41_d1 <= in_center_x;
-            reinterpret_41_d2 <= reinterpret_41_d1;
-            reinterpret_41_d3 <= reinterpret_41_d2;
-            reinterpret_43_d1 <= in_tangent1_x;
-            reinterpret_43_d2 <= reinterpret_43_d1;
-            reinterpret_43_d3 <= reinterpret_43_d2;
-            reinterpret_49_d1 <= in_tangent2_x;
-            reinterpret_49_d2 <= reinterpret_49_d1;
-            reinterpret_49_d3 <= reinterpret_49_d2;
-            resize_102_d1 <= sub_100[8:0];
-            lt_103_d1 <= lt_103;
-            reinterpret_106_d1 <= in_center_y;
-            reinterpret_106_d2 <= reinterpret_106_d1;
-            reinterpret_106_d3 <= reinterpret_106_d2;
-            reinterpret_108_d1 <= in_tangent1_y;
-            reinterpret_108_d2 <= reinterpret_108_d1;
-            reinterpret_108_d3 <= reinterpret_108_d2;
-            reinterpret_114_d1 <= in_tangent2_y;
-            reinterpret_114_d2 <= reinterpret_114_d1;
-            reinterpret_114_d3 <= reinterpret_114_d2;
-            min_140_d1 <= min_f24_ftz_unit_y;
-            select_154_d1 <= select_154;
-            abs_191_d1 <= {1'd0, mul_185_d6[22:0]};
-            abs_191_d2 <= abs_191_d1;
-            mul_194_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_194_d2 <= mul_194_d1;
-            mul_194_d3 <= mul_194_d2;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
+            tangent1_z_d3 <= tangent1_z_d2;
+            tangent2_z_d1 <= in_tangent2_z;
+            tangent2_z_d2 <= tangent2_z_d1;
+            tangent2_z_d3 <= tangent2_z_d2;
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            center_x_d1 <= in_center_x;
+            center_x_d2 <= center_x_d1;
+            center_x_d3 <= center_x_d2;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_x_d2 <= tangent1_x_d1;
+            tangent1_x_d3 <= tangent1_x_d2;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_x_d2 <= tangent2_x_d1;
+            tangent2_x_d3 <= tangent2_x_d2;
+            last_x_d1 <= last_x;
+            occupied_x_d1 <= occupied_x;
+            center_y_d1 <= in_center_y;
+            center_y_d2 <= center_y_d1;
+            center_y_d3 <= center_y_d2;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_y_d2 <= tangent1_y_d1;
+            tangent1_y_d3 <= tangent1_y_d2;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_y_d2 <= tangent2_y_d1;
+            tangent2_y_d3 <= tangent2_y_d2;
+            first_y_lesser_d1 <= min_f24_ftz_unit_y;
+            first_y_chosen_d1 <= first_y_chosen;
+            abs_b_depth_d1 <= {1'd0, b_depth_d6[22:0]};
+            abs_b_depth_d2 <= abs_b_depth_d1;
+            spread_half_d1 <= mul_f24_ftz_unit_copy4_y;
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
         end
         if (load_3) begin
-            mul_28_d1 <= mul_f24_ftz_unit_y;
-            mul_28_d2 <= mul_28_d1;
-            mul_28_d3 <= mul_28_d2;
-            mul_30_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_30_d2 <= mul_30_d1;
-            mul_30_d3 <= mul_30_d2;
-            mul_42_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_44_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_50_d1 <= mul_f24_ftz_unit_copy5_y;
-            add_60_d1 <= add_f24_ftz_unit_y;
-            add_60_d2 <= add_60_d1;
-            select_96_d1 <= select_96;
-            mul_107_d1 <= mul_f24_ftz_unit_copy6_y;
-            add_125_d1 <= add_f24_ftz_unit_copy2_y;
-            add_125_d2 <= add_125_d1;
-            resize_159_d1 <= sub_157[8:0];
-            lt_160_d1 <= lt_160;
-            min_200_d1 <= min_f24_ftz_unit_y;
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            alpha_d3 <= alpha_d2;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            beta_d3 <= beta_d2;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy5_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            t_x_sum_d2 <= t_x_sum_d1;
+            first_x_chosen_d1 <= first_x_chosen;
+            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            t_y_sum_d2 <= t_y_sum_d1;
+            last_y_d1 <= last_y;
+            occupied_y_d1 <= occupied_y;
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
         end
         if (load_1) begin
             whole_d7 <= delay_6_from_1_out;
@@ -7180,111 +7016,111 @@ module splat_setup (
             whole_d9 <= whole_d8;
             whole_d10 <= whole_d9;
             whole_d11 <= whole_d10;
-            add_70_d1 <= add_f24_ftz_unit_y;
-            add_70_d2 <= add_70_d1;
-            add_70_d3 <= add_70_d2;
-            add_70_d4 <= add_70_d3;
-            add_135_d1 <= add_f24_ftz_unit_copy5_y;
-            add_135_d2 <= add_135_d1;
-            add_135_d3 <= add_135_d2;
-            add_135_d4 <= add_135_d3;
-            shr_153_d1 <= add_152 >> 8;
-            select_199_d1 <= select_199;
-            select_199_d2 <= select_199_d1;
-            select_201_d1 <= select_201;
-            and_207_d1 <= and_207;
-            to_fixed_218_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_218_d2 <= to_fixed_218_d1;
-            to_fixed_218_d3 <= to_fixed_218_d2;
-            to_fixed_218_d4 <= to_fixed_218_d3;
-            max_224_d1 <= max_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
+            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy5_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
+            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_d1 <= half_depth;
+            visible_both_d1 <= visible_both;
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
+            depth_out_d4 <= depth_out_d3;
+            depth_high_out_greater_d1 <= max_f24_ftz_unit_copy2_y;
         end
         if (load_6) begin
-            mul_48_d1 <= mul_f24_ftz_unit_y;
-            mul_54_d1 <= mul_f24_ftz_unit_copy2_y;
-            shr_93_d1 <= add_92 >> 8;
-            mul_113_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_119_d1 <= mul_f24_ftz_unit_copy4_y;
-            max_142_d1 <= max_f24_ftz_unit_y;
-            mul_162_d1 <= mul_f24_ftz_unit_copy6_y;
-            equal_171_d1 <= equal_171;
-            lt_174_d1 <= lt_174;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            a_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            last_y_greater_d1 <= max_f24_ftz_unit_y;
+            a_x_times_b_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            delta_bits_is_zero_d1 <= delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
         end
         if (load_4) begin
-            add_57_d1 <= add_f24_ftz_unit_y;
-            add_57_d2 <= add_57_d1;
-            add_57_d3 <= add_57_d2;
-            add_57_d4 <= add_57_d3;
-            add_57_d5 <= add_57_d4;
-            add_57_d6 <= add_57_d5;
-            add_57_d7 <= add_57_d6;
-            add_57_d8 <= add_57_d7;
-            add_57_d9 <= add_57_d8;
-            add_57_d10 <= add_57_d9;
-            add_57_d11 <= add_57_d10;
-            add_65_d1 <= add_f24_ftz_unit_copy2_y;
-            resize_101_d1 <= select_96_d1[8:0];
-            mul_109_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_115_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_130_d1 <= add_f24_ftz_unit_copy3_y;
-            neg_136_d1 <= joined_5;
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            center_x_d3_copy2 <= center_x_d2_copy2;
+            center_x_d4 <= center_x_d3_copy2;
+            center_x_d5 <= center_x_d4;
+            center_x_d6 <= center_x_d5;
+            center_x_d7 <= center_x_d6;
+            center_x_d8 <= center_x_d7;
+            center_x_d9 <= center_x_d8;
+            center_x_d10 <= center_x_d9;
+            center_x_d11 <= center_x_d10;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            first_x_d1 <= first_x;
+            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy3_y;
+            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
         end
         if (load_2) begin
-            mul_66_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_75_d1 <= add_f24_ftz_unit_y;
-            mul_131_d1 <= mul_f24_ftz_unit_copy4_y;
-            min_155_d1 <= min_155;
-            add_187_d1 <= add_f24_ftz_unit_copy2_y;
-            add_187_d2 <= add_187_d1;
-            add_187_d3 <= add_187_d2;
-            le_206_d1 <= le_f24_ftz_unit_y;
-            le_206_d2 <= le_206_d1;
-            le_206_d3 <= le_206_d2;
-            le_206_d4 <= le_206_d3;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            last_y_lesser_d1 <= last_y_lesser;
+            center_depth_d1 <= add_f24_ftz_unit_copy2_y;
+            center_depth_d2 <= center_depth_d1;
+            center_depth_d3 <= center_depth_d2;
+            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
+            center_depth_up_to_one_d2 <= center_depth_up_to_one_d1;
+            center_depth_up_to_one_d3 <= center_depth_up_to_one_d2;
+            center_depth_up_to_one_d4 <= center_depth_up_to_one_d3;
         end
         if (load_7) begin
-            min_97_d1 <= min_97;
-            add_132_d1 <= add_f24_ftz_unit_copy3_y;
-            mul_180_d1 <= mul_f24_ftz_unit_y;
-            neg_182_d1 <= joined_7;
-            add_190_d1 <= add_f24_ftz_unit_copy4_y;
-            add_190_d2 <= add_190_d1;
+            last_x_lesser_d1 <= last_x_lesser;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
+            alpha_times_b_x_d1 <= mul_f24_ftz_unit_y;
+            minus_beta_times_a_x_d1 <= minus_mul_f24_ftz_unit_copy6_y;
+            spread_middle_d1 <= add_f24_ftz_unit_copy4_y;
+            spread_middle_d2 <= spread_middle_d1;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? choice_8 : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? choice_9 : choice_10;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_11 : choice_12;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_13 : phase[1] ? choice_14 : phase[0] ? mul_30_d3 : scale_x;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_15 : choice_16;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_17 : choice_18;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_19 : choice_21;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_22 : choice_23;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_24 : phase[1] ? choice_25 : add_f24_ftz_unit_copy5_y;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_26 : choice_27;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_28 : choice_29;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_30 : choice_31;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_32 : choice_33;
-            add_f24_ftz_unit_a <= phase[2] ? choice_34 : choice_35;
-            add_f24_ftz_unit_b <= phase[2] ? choice_37 : phase[1] ? choice_39 : choice_40;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_42 : choice_43;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_45 : choice_46;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_48 : choice_49;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_51 : phase[1] ? add_70_d4 : phase[0] ? joined_52 : mul_131_d1;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_53 : choice_54;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_56 : choice_57;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_58 : choice_59;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_60 : choice_61;
-            sqrt_f24_ftz_unit_a <= phase[2] ? choice_62 : phase[1] ? add_33_d1 : add_132_d1;
-            min_f24_ftz_unit_a <= phase[2] ? choice_63 : choice_64;
-            min_f24_ftz_unit_b <= phase[2] ? choice_65 : phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : abs_191_d2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_66;
-            max_f24_ftz_unit_b <= phase[2] ? choice_67 : choice_68;
+            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : phase[1] ? mul_f24_ftz_unit_y : phase[0] ? alpha_d3 : scale_x;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? a_x_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_a_choice_2;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? (phase[0] ? b_x_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_a_choice;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? (phase[0] ? a_y_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_a_choice;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_3;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? (phase[0] ? r_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy6_a_choice;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
+            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_2 : phase[1] ? center_x_d8 : add_f24_ftz_unit_copy4_b_choice_3;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice_2 : add_f24_ftz_unit_copy5_b_choice_3;
+            sqrt_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_d1) : q_d1) : phase[1] ? q_d1 : t_y_squared_plus_h_y_product_d1;
+            min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : max_f24_ftz_unit_a_choice;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
             max_f24_ftz_unit_copy2_a <= 24'd0;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_199_d1) : phase[1] ? select_199_d1 : min_140_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_69 : max_f24_ftz_unit_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_187_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? choice_70 : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_71 : choice_72;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : middle_depth_d1) : phase[1] ? middle_depth_d1 : first_y_lesser_d1;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : max_f24_ftz_unit_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? center_depth_d3 : 24'd0) : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : to_fixed_f24_ftz_u24q24_unit_a_choice_2;
         end
     end
     always @(posedge clk) begin
@@ -7311,87 +7147,54 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_9_from_6[delay_9_from_6_pointer] <= {xor_211, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
+            delay_9_from_6[delay_9_from_6_pointer] <= {visible_unequal_copy2, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
         end
         if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_10_from_6[delay_10_from_6_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
-        end
+        if (load_6) delay_10_from_6[delay_10_from_6_pointer] <= {b_y_d1, a_y_d1, b_x_d1, a_x_d1};
         if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
     end
 
-    wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
+    wire _unused = &{1'b0, last_x_chosen_minus_1[21:9], last_y_chosen_minus_1[21:9]};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & phase_is_4));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & term_1))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & phase_is_4))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -7403,9 +7206,7 @@ endmodule
 // fraction = 24
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [4:0] distance_s1;
@@ -7414,54 +7215,51 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h79a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({8'd0, significand_s1} << 8) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
 module float_le_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -7474,9 +7272,7 @@ endmodule
 // fraction = 8
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [20:0] y
 );
     reg [4:0] distance_s1;
@@ -7485,55 +7281,52 @@ module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
-    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd21 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd22 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
 module float_max_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -7543,25 +7336,22 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_min_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -7571,9 +7361,7 @@ endmodule
 // stages = 18
 // format = f24-ftz
 module float_sqrt_s18_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [2:0] remainder_s1;
@@ -7629,73 +7417,73 @@ module float_sqrt_s18_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [16:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
-    wire [1:0] difference_3 = choice_2[16:15] - 2'd1;
-    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[14:13]} - 5'd5;
-    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
-    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
-    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
-    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
-    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
-    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
-    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
-    wire [12:0] difference_12 = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
-    wire [13:0] difference_13 = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
-    wire [14:0] difference_14 = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
-    wire [15:0] difference_15 = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
-    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
-    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
-    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
-    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
-    wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
-    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [16:0] remainder_s1_choice = ~a_field[0] ? {|a_field, remainder_s1_both, 1'd0} : {1'd0, |a_field, remainder_s1_both};
+    wire [1:0] remainder_s1_difference = remainder_s1_choice[16:15] - 2'd1;
+    wire [4:0] remainder_s1_difference_2 = {1'd0, remainder_s1_difference, remainder_s1_choice[14:13]} - 5'd5;
+    wire [5:0] remainder_s2_difference = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] remainder_s3_difference = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] remainder_s4_difference = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] remainder_s5_difference = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] remainder_s6_difference = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] remainder_s7_difference = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] remainder_s8_difference = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
+    wire [12:0] remainder_s9_difference = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
+    wire [13:0] remainder_s10_difference = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
+    wire [14:0] remainder_s11_difference = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
+    wire [15:0] remainder_s12_difference = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] remainder_s13_difference = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] remainder_s15_difference = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] remainder_s16_difference = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [9:0] a_field_plus_127 = {2'd0, a_field} + 10'd127;
+    wire zero_s17_either = exponent_s16[9] | ((exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]));
     wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
     wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
-    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
+    wire [23:0] y_bits = {sign_s17, zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17};
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[14:13]};
-            root_s1 <= {1'd1, ~difference_4[4]};
-            pending_s1 <= choice_2[12:0];
-            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
-            root_s2 <= {root_s1, ~difference_5[5]};
+            remainder_s1 <= ~remainder_s1_difference_2[4] ? remainder_s1_difference_2[2:0] : {remainder_s1_difference[0], remainder_s1_choice[14:13]};
+            root_s1 <= {1'd1, ~remainder_s1_difference_2[4]};
+            pending_s1 <= remainder_s1_choice[12:0];
+            remainder_s2 <= ~remainder_s2_difference[5] ? remainder_s2_difference[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
+            root_s2 <= {root_s1, ~remainder_s2_difference[5]};
             pending_s2 <= pending_s1[10:0];
-            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
-            root_s3 <= {root_s2, ~difference_6[6]};
+            remainder_s3 <= ~remainder_s3_difference[6] ? remainder_s3_difference[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
+            root_s3 <= {root_s2, ~remainder_s3_difference[6]};
             pending_s3 <= pending_s2[8:0];
-            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
-            root_s4 <= {root_s3, ~difference_7[7]};
+            remainder_s4 <= ~remainder_s4_difference[7] ? remainder_s4_difference[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
+            root_s4 <= {root_s3, ~remainder_s4_difference[7]};
             pending_s4 <= pending_s3[6:0];
-            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
-            root_s5 <= {root_s4, ~difference_8[8]};
+            remainder_s5 <= ~remainder_s5_difference[8] ? remainder_s5_difference[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
+            root_s5 <= {root_s4, ~remainder_s5_difference[8]};
             pending_s5 <= pending_s4[4:0];
-            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
-            root_s6 <= {root_s5, ~difference_9[9]};
+            remainder_s6 <= ~remainder_s6_difference[9] ? remainder_s6_difference[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
+            root_s6 <= {root_s5, ~remainder_s6_difference[9]};
             pending_s6 <= pending_s5[2:0];
-            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
-            root_s7 <= {root_s6, ~difference_10[10]};
+            remainder_s7 <= ~remainder_s7_difference[10] ? remainder_s7_difference[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
+            root_s7 <= {root_s6, ~remainder_s7_difference[10]};
             pending_s7 <= pending_s6[0];
-            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
-            root_s8 <= {root_s7, ~difference_11[11]};
-            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], 2'd0};
-            root_s9 <= {root_s8, ~difference_12[12]};
-            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], 2'd0};
-            root_s10 <= {root_s9, ~difference_13[13]};
-            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], 2'd0};
-            root_s11 <= {root_s10, ~difference_14[14]};
-            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], 2'd0};
-            root_s12 <= {root_s11, ~difference_15[15]};
-            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
-            root_s13 <= {root_s12, ~difference_16[16]};
-            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
-            root_s14 <= {root_s13, ~difference_17[17]};
-            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
-            root_s15 <= {root_s14, ~difference_18[18]};
-            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
-            root_s16 <= {root_s15, ~difference_19[19]};
-            exponent_s1 <= {sum_20[9], sum_20[9:1]};
+            remainder_s8 <= ~remainder_s8_difference[11] ? remainder_s8_difference[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
+            root_s8 <= {root_s7, ~remainder_s8_difference[11]};
+            remainder_s9 <= ~remainder_s9_difference[12] ? remainder_s9_difference[10:0] : {remainder_s8[8:0], 2'd0};
+            root_s9 <= {root_s8, ~remainder_s9_difference[12]};
+            remainder_s10 <= ~remainder_s10_difference[13] ? remainder_s10_difference[11:0] : {remainder_s9[9:0], 2'd0};
+            root_s10 <= {root_s9, ~remainder_s10_difference[13]};
+            remainder_s11 <= ~remainder_s11_difference[14] ? remainder_s11_difference[12:0] : {remainder_s10[10:0], 2'd0};
+            root_s11 <= {root_s10, ~remainder_s11_difference[14]};
+            remainder_s12 <= ~remainder_s12_difference[15] ? remainder_s12_difference[13:0] : {remainder_s11[11:0], 2'd0};
+            root_s12 <= {root_s11, ~remainder_s12_difference[15]};
+            remainder_s13 <= ~remainder_s13_difference[16] ? remainder_s13_difference[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~remainder_s13_difference[16]};
+            remainder_s14 <= ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~remainder_s14_difference[17]};
+            remainder_s15 <= ~remainder_s15_difference[18] ? remainder_s15_difference[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~remainder_s15_difference[18]};
+            remainder_s16 <= ~remainder_s16_difference[19] ? remainder_s16_difference[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~remainder_s16_difference[19]};
+            exponent_s1 <= {a_field_plus_127[9], a_field_plus_127[9:1]};
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3;
@@ -7778,17 +7566,19 @@ module float_sqrt_s18_f24ftz (
             sign_s17 <= sign_s16;
             nan_s17 <= nan_s16;
             infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
-            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            zero_s17 <= zero_s16 | (zero_s17_either & ~infinite_s16);
             rounded_s17 <= rounded;
-            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
+            y <= nan_s17 ? 24'h7fc000 : y_bits;
         end
     end
 
     wire _unused = &{
-        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
-        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
-        difference_4[3], difference_5[4], difference_6[5], difference_7[6], difference_8[7], difference_9[8],
-        root_s16[16], sum_20[0]
+        1'b0, a_field_plus_127[0], remainder_s10_difference[12], remainder_s11_difference[13],
+        remainder_s12_difference[14], remainder_s13_difference[15], remainder_s14_difference[16],
+        remainder_s15_difference[17], remainder_s16_difference[18], remainder_s1_difference_2[3],
+        remainder_s2_difference[4], remainder_s3_difference[5], remainder_s4_difference[6],
+        remainder_s5_difference[7], remainder_s6_difference[8], remainder_s7_difference[9],
+        remainder_s8_difference[10], remainder_s9_difference[11], root_s16[16]
     };
 endmodule
 
@@ -7796,10 +7586,7 @@ endmodule
 // stages = 5
 // format = f24-ftz
 module float_mul_s5_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -7815,16 +7602,16 @@ module float_mul_s5_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zero_s4_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+    wire [23:0] y_bits = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
 
     always @(posedge clk) begin
         if (enable) begin
@@ -7834,25 +7621,25 @@ module float_mul_s5_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             sign_s4 <= sign_s3;
             nan_s4 <= nan_s3;
             infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
-            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | zero_s4_both) & ~infinite_s3);
             rounded_s4 <= rounded;
-            y <= nan_s4 ? 24'h7fc000 : joined_8;
+            y <= nan_s4 ? 24'h7fc000 : y_bits;
         end
     end
 
@@ -7863,9 +7650,7 @@ endmodule
 // stages = 20
 // format = f24-ftz
 module float_recip_s20_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [16:0] remainder_s1;
@@ -7934,105 +7719,106 @@ module float_recip_s20_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [17:0] difference_2 = 18'h8000 - {2'd0, |a_field, term_1};
-    wire [17:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : remainder_s1[15:0];
-    wire [17:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s2[15:0];
-    wire [17:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s3[15:0];
-    wire [17:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s4[15:0];
-    wire [17:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s5[15:0];
-    wire [17:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s6[15:0];
-    wire [17:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s7[15:0];
-    wire [17:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s8[15:0];
-    wire [17:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s9[15:0];
-    wire [17:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s10[15:0];
-    wire [17:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s11[15:0];
-    wire [17:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s12[15:0];
-    wire [17:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s13[15:0];
-    wire [17:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s14[15:0];
-    wire [17:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s15[15:0];
-    wire [17:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s16[15:0];
-    wire [17:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s17[15:0];
-    wire [18:0] joined_37 = {quotient_s18, |remainder_s18};
-    wire [18:0] choice_38 = ~quotient_s18[17] ? (joined_37 << 1) : joined_37;
-    wire term_39 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
-    wire term_40 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [17:0] remainder_s1_difference = 18'h8000 - {2'd0, |a_field, remainder_s1_both};
+    wire [15:0] remainder_s1_choice = ~remainder_s1_difference[17] ? remainder_s1_difference[15:0] : 16'h8000;
+    wire [17:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [15:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[17] ? remainder_s1_minus_divisor_s1[15:0] : remainder_s1[15:0];
+    wire [17:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [15:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[17] ? remainder_s2_minus_divisor_s2[15:0] : remainder_s2[15:0];
+    wire [17:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [15:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[17] ? remainder_s3_minus_divisor_s3[15:0] : remainder_s3[15:0];
+    wire [17:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [15:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[17] ? remainder_s4_minus_divisor_s4[15:0] : remainder_s4[15:0];
+    wire [17:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [15:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[17] ? remainder_s5_minus_divisor_s5[15:0] : remainder_s5[15:0];
+    wire [17:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [15:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[17] ? remainder_s6_minus_divisor_s6[15:0] : remainder_s6[15:0];
+    wire [17:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [15:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[17] ? remainder_s7_minus_divisor_s7[15:0] : remainder_s7[15:0];
+    wire [17:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [15:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[17] ? remainder_s8_minus_divisor_s8[15:0] : remainder_s8[15:0];
+    wire [17:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [15:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[17] ? remainder_s9_minus_divisor_s9[15:0] : remainder_s9[15:0];
+    wire [17:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [15:0] remainder_s11_choice = ~remainder_s11_difference[17] ? remainder_s11_difference[15:0] : remainder_s10[15:0];
+    wire [17:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [15:0] remainder_s12_choice = ~remainder_s12_difference[17] ? remainder_s12_difference[15:0] : remainder_s11[15:0];
+    wire [17:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [15:0] remainder_s13_choice = ~remainder_s13_difference[17] ? remainder_s13_difference[15:0] : remainder_s12[15:0];
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [15:0] remainder_s14_choice = ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : remainder_s13[15:0];
+    wire [17:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [15:0] remainder_s15_choice = ~remainder_s15_difference[17] ? remainder_s15_difference[15:0] : remainder_s14[15:0];
+    wire [17:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [15:0] remainder_s16_choice = ~remainder_s16_difference[17] ? remainder_s16_difference[15:0] : remainder_s15[15:0];
+    wire [17:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [15:0] remainder_s17_choice = ~remainder_s17_difference[17] ? remainder_s17_difference[15:0] : remainder_s16[15:0];
+    wire [17:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [15:0] remainder_s18_choice = ~remainder_s18_difference[17] ? remainder_s18_difference[15:0] : remainder_s17[15:0];
+    wire [18:0] significand_s19_bits = {quotient_s18, |remainder_s18};
+    wire [18:0] significand_s19_choice = ~quotient_s18[17] ? (significand_s19_bits << 1) : significand_s19_bits;
+    wire y_both = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
     wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
     wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_41 = (zero_s19 | ((exponent_s19[9] | term_39) & ~infinite_s19)) ? 23'd0 : term_40 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s19 | ((exponent_s19[9] | y_both) & ~infinite_s19)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {~difference_2[17] ? difference_2[15:0] : 16'h8000, 1'd0};
-            quotient_s1 <= ~difference_2[17];
-            divisor_s1 <= {|a_field, term_1};
-            remainder_s2 <= {choice_4, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_3[17]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[17];
+            divisor_s1 <= {|a_field, remainder_s1_both};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[17]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_6, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_5[17]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[17]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_8, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_7[17]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[17]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_10, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_9[17]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[17]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_12, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_11[17]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[17]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_14, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_13[17]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[17]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_16, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_15[17]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[17]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_18, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_17[17]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[17]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_20, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_19[17]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[17]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_22, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_21[17]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[17]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_24, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_23[17]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[17]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_26, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_25[17]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[17]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_28, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_27[17]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[17]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_30, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_29[17]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[17]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_32, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_31[17]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[17]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_34, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_33[17]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[17]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_36, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_35[17]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[17]};
             exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -8052,7 +7838,7 @@ module float_recip_s20_f24ftz (
             exponent_s17 <= exponent_s16;
             exponent_s18 <= exponent_s17;
             exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
-            significand_s19 <= {choice_38[18:2], |choice_38[1:0]};
+            significand_s19 <= {significand_s19_choice[18:2], |significand_s19_choice[1:0]};
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -8129,29 +7915,28 @@ module float_recip_s20_f24ftz (
             zero_s17 <= zero_s16;
             zero_s18 <= zero_s17;
             zero_s19 <= zero_s18;
-            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_41};
+            y <= nan_s19 ? 24'h7fc000 : {sign_s19, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
-        difference_2[16], difference_21[16], difference_23[16], difference_25[16], difference_27[16],
-        difference_29[16], difference_3[16], difference_31[16], difference_33[16], difference_35[16],
-        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
+        1'b0, remainder_s11_difference[16], remainder_s12_difference[16], remainder_s13_difference[16],
+        remainder_s14_difference[16], remainder_s15_difference[16], remainder_s16_difference[16],
+        remainder_s17_difference[16], remainder_s18_difference[16], remainder_s1_difference[16],
+        remainder_s1_minus_divisor_s1[16], remainder_s2_minus_divisor_s2[16],
+        remainder_s3_minus_divisor_s3[16], remainder_s4_minus_divisor_s4[16],
+        remainder_s5_minus_divisor_s5[16], remainder_s6_minus_divisor_s6[16],
+        remainder_s7_minus_divisor_s7[16], remainder_s8_minus_divisor_s8[16],
+        remainder_s9_minus_divisor_s9[16], significand_s19[17]
     };
 endmodule
 
 // Queue of two in registers.
 // width = 549
 module stream_skid_w549 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [548:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [548:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [548:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [548:0] out_data
 );
     reg second_valid;
     reg [548:0] head, second;
@@ -8177,17 +7962,14 @@ module stream_skid_w549 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -8196,109 +7978,110 @@ endmodule
 // latency = 28
 // initiation_interval = 8
 module splat_transform (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in world space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [23:0] m00,
-    input  wire [23:0] m01,
-    input  wire [23:0] m02,
-    input  wire [23:0] m03,
-    input  wire [23:0] m10,
-    input  wire [23:0] m11,
-    input  wire [23:0] m12,
-    input  wire [23:0] m13,
-    input  wire [23:0] m20,
-    input  wire [23:0] m21,
-    input  wire [23:0] m22,
-    input  wire [23:0] m23,
-    input  wire [23:0] near_plane,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [23:0] m00,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m01,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m02,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m03,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m10,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m11,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m12,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m13,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m20,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m21,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m22,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m23,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] near_plane,  // Near plane.
+    output wire out_valid,  // Splats in camera space.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_center_z,
-    output wire [23:0] out_tangent1_x,
-    output wire [23:0] out_tangent1_y,
-    output wire [23:0] out_tangent1_z,
-    output wire [23:0] out_tangent2_x,
-    output wire [23:0] out_tangent2_y,
-    output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Center.
+    output wire [23:0] out_center_y,  // Center.
+    output wire [23:0] out_center_z,  // Center.
+    output wire [23:0] out_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0  // Attributes.
 );
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
     reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
     reg [15:0] attribute_12_d1, cardinal_0_d1, cardinal_0_d2, cardinal_0_d3, cardinal_0_d4;
-    reg [23:0] reinterpret_37_d1, reinterpret_38_d1, reinterpret_39_d1, mul_48_d1, add_55_d1, add_56_d1, add_57_d1;
-    reg [23:0] reinterpret_58_d1, reinterpret_59_d1, reinterpret_60_d1, mul_64_d1, add_65_d1, mul_66_d1, mul_69_d1;
-    reg [23:0] add_70_d1, mul_74_d1, add_75_d1, reinterpret_76_d1, reinterpret_77_d1, reinterpret_78_d1, mul_79_d1;
-    reg [23:0] mul_82_d1, add_83_d1, add_86_d1, mul_87_d1, add_88_d1, mul_89_d1, add_91_d1, mul_92_d1, add_93_d1;
-    reg equal_100_d1;
-    reg [15:0] select_106_d1, select_107_d1, select_107_d2, select_107_d3;
-    reg equal_111_d1;
-    reg [15:0] select_114_d1, select_115_d1, select_115_d2, select_115_d3;
-    reg equal_119_d1;
-    reg [15:0] select_122_d1, select_123_d1, select_123_d2, select_123_d3;
-    reg equal_127_d1;
-    reg [15:0] select_130_d1, select_131_d1, select_131_d2, select_131_d3;
-    reg equal_135_d1;
-    reg [15:0] select_138_d1, select_139_d1, select_139_d2, select_139_d3;
-    reg equal_143_d1;
-    reg [15:0] select_146_d1, select_147_d1, select_147_d2, select_147_d3;
-    reg equal_151_d1;
-    reg [15:0] select_154_d1, select_155_d1, select_155_d2, select_155_d3;
-    reg equal_159_d1;
-    reg [15:0] select_162_d1, select_163_d1, select_163_d2, select_163_d3;
-    reg equal_167_d1;
-    reg [15:0] select_170_d1, select_171_d1, select_171_d2, select_171_d3;
-    reg equal_175_d1;
-    reg [15:0] select_178_d1, select_179_d1, select_179_d2, select_179_d3;
-    reg equal_183_d1;
-    reg [15:0] select_186_d1, select_187_d1, select_187_d2, select_187_d3;
-    reg equal_191_d1;
-    reg [15:0] select_194_d1, select_195_d1, select_195_d2, select_195_d3;
-    reg equal_199_d1;
-    reg [15:0] select_202_d1, select_203_d1, select_203_d2, select_203_d3;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m12_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1;
+    reg [23:0] tangent1_y_d1, tangent1_z_d1, m02_times_tangent1_z_d1, v1_x_d1, m10_times_tangent1_x_d1;
+    reg [23:0] m12_times_tangent1_z_d1, v1_y_d1, m22_times_tangent1_z_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
+    reg [23:0] tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
+    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, m20_times_tangent2_x_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
+    reg [23:0] v2_z_d1;
+    reg attribute_0_bits_is_31_d1;
+    reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1, attribute_0_out_d2, attribute_0_out_d3;
+    reg attribute_1_bits_is_31_d1;
+    reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1, attribute_1_out_d2, attribute_1_out_d3;
+    reg attribute_2_bits_is_31_d1;
+    reg [15:0] attribute_2_out_chosen_d1, attribute_2_out_d1, attribute_2_out_d2, attribute_2_out_d3;
+    reg attribute_3_bits_is_31_d1;
+    reg [15:0] attribute_3_out_chosen_d1, attribute_3_out_d1, attribute_3_out_d2, attribute_3_out_d3;
+    reg attribute_4_bits_is_31_d1;
+    reg [15:0] attribute_4_out_chosen_d1, attribute_4_out_d1, attribute_4_out_d2, attribute_4_out_d3;
+    reg attribute_5_bits_is_31_d1;
+    reg [15:0] attribute_5_out_chosen_d1, attribute_5_out_d1, attribute_5_out_d2, attribute_5_out_d3;
+    reg attribute_6_bits_is_31_d1;
+    reg [15:0] attribute_6_out_chosen_d1, attribute_6_out_d1, attribute_6_out_d2, attribute_6_out_d3;
+    reg attribute_7_bits_is_31_d1;
+    reg [15:0] attribute_7_out_chosen_d1, attribute_7_out_d1, attribute_7_out_d2, attribute_7_out_d3;
+    reg attribute_8_bits_is_31_d1;
+    reg [15:0] attribute_8_out_chosen_d1, attribute_8_out_d1, attribute_8_out_d2, attribute_8_out_d3;
+    reg attribute_9_bits_is_31_d1;
+    reg [15:0] attribute_9_out_chosen_d1, attribute_9_out_d1, attribute_9_out_d2, attribute_9_out_d3;
+    reg attribute_10_bits_is_31_d1;
+    reg [15:0] attribute_10_out_chosen_d1, attribute_10_out_d1, attribute_10_out_d2, attribute_10_out_d3;
+    reg attribute_11_bits_is_31_d1;
+    reg [15:0] attribute_11_out_chosen_d1, attribute_11_out_d1, attribute_11_out_d2, attribute_11_out_d3;
+    reg attribute_12_bits_is_31_d1;
+    reg [15:0] attribute_12_out_chosen_d1, attribute_12_out_d1, attribute_12_out_d2, attribute_12_out_d3;
     reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
     reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
     reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
@@ -8311,88 +8094,87 @@ module splat_transform (
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    wire or_95 = end_d4 | lt_f24_ftz_unit_y;
-    wire term_1 = phase == 3'd4;
-    wire term_2 = in_flight[3] & or_95 & term_1;
-    wire term_3 = phase == 3'd7;
-    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire equal_100 = in_attribute_0[14:10] == 5'd31;
-    wire equal_102 = in_attribute_0[9:0] == 10'd0;
-    wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
-    wire equal_111 = 5'd31 == in_attribute_1[14:10];
-    wire equal_112 = 10'd0 == in_attribute_1[9:0];
-    wire [15:0] select_114 = equal_112 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
-    wire equal_119 = 5'd31 == in_attribute_2[14:10];
-    wire equal_120 = 10'd0 == in_attribute_2[9:0];
-    wire [15:0] select_122 = equal_120 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
-    wire equal_127 = 5'd31 == in_attribute_3[14:10];
-    wire equal_128 = 10'd0 == in_attribute_3[9:0];
-    wire [15:0] select_130 = equal_128 ? {in_attribute_3[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
-    wire equal_135 = 5'd31 == in_attribute_4[14:10];
-    wire equal_136 = 10'd0 == in_attribute_4[9:0];
-    wire [15:0] select_138 = equal_136 ? {in_attribute_4[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
-    wire equal_143 = 5'd31 == in_attribute_5[14:10];
-    wire equal_144 = 10'd0 == in_attribute_5[9:0];
-    wire [15:0] select_146 = equal_144 ? {in_attribute_5[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
-    wire equal_151 = 5'd31 == in_attribute_6[14:10];
-    wire equal_152 = 10'd0 == in_attribute_6[9:0];
-    wire [15:0] select_154 = equal_152 ? {in_attribute_6[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
-    wire equal_159 = 5'd31 == in_attribute_7[14:10];
-    wire equal_160 = 10'd0 == in_attribute_7[9:0];
-    wire [15:0] select_162 = equal_160 ? {in_attribute_7[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
-    wire equal_167 = 5'd31 == in_attribute_8[14:10];
-    wire equal_168 = 10'd0 == in_attribute_8[9:0];
-    wire [15:0] select_170 = equal_168 ? {in_attribute_8[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
-    wire equal_175 = 5'd31 == in_attribute_9[14:10];
-    wire equal_176 = 10'd0 == in_attribute_9[9:0];
-    wire [15:0] select_178 = equal_176 ? {in_attribute_9[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
-    wire equal_183 = 5'd31 == in_attribute_10[14:10];
-    wire equal_184 = 10'd0 == in_attribute_10[9:0];
-    wire [15:0] select_186 = equal_184 ? {in_attribute_10[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
-    wire equal_191 = 5'd31 == in_attribute_11[14:10];
-    wire equal_192 = 10'd0 == in_attribute_11[9:0];
-    wire [15:0] select_194 = equal_192 ? {in_attribute_11[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
-    wire equal_199 = 5'd31 == in_attribute_12[14:10];
-    wire equal_200 = 10'd0 == in_attribute_12[9:0];
-    wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
-    wire [23:0] choice_5 = phase[0] ? reinterpret_39_d1 : reinterpret_78_d1;
-    wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_60_d1 : reinterpret_76_d1;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_76_d1 : reinterpret_39_d1) : phase[0] ? reinterpret_37_d1 : in_center_x;
-    wire [23:0] choice_8 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
-    wire [23:0] choice_9 = phase[0] ? reinterpret_59_d1 : reinterpret_58_d1;
-    wire [23:0] choice_10 = phase[1] ? choice_9 : phase[0] ? reinterpret_38_d1 : in_center_y;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? reinterpret_58_d1 : reinterpret_59_d1) : in_center_x;
-    wire [23:0] choice_12 = phase[1] ? reinterpret_77_d1 : phase[0] ? reinterpret_77_d1 : reinterpret_76_d1;
-    wire [23:0] choice_13 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] choice_14 = phase[1] ? choice_13 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? m03 : mul_89_d1) : phase[0] ? mul_79_d1 : mul_66_d1;
-    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_18 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? m23 : add_91_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_69_d1 : mul_64_d1) : phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_21 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_92_d1) : choice_21;
-    wire [23:0] choice_23 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_24 = phase[1] ? choice_23 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] choice_25 = phase[1] ? add_86_d1 : phase[0] ? add_86_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_74_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
+    wire end_or_near_plane_below_u_z = end_d4 | lt_f24_ftz_unit_y;
+    wire phase_is_4 = phase == 3'd4;
+    wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
+    wire phase_is_7 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
+    wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_0_out = attribute_0_bits_is_31_d1 ? attribute_0_out_chosen_d1 : attribute_0_d1;
+    wire attribute_1_bits_is_31 = 5'd31 == in_attribute_1[14:10];
+    wire zero_is_attribute_1_bits = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] attribute_1_out_chosen = zero_is_attribute_1_bits ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_1_out = attribute_1_bits_is_31_d1 ? attribute_1_out_chosen_d1 : attribute_1_d1;
+    wire attribute_2_bits_is_31 = 5'd31 == in_attribute_2[14:10];
+    wire zero_is_attribute_2_bits = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] attribute_2_out_chosen = zero_is_attribute_2_bits ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
+    wire attribute_3_bits_is_31 = 5'd31 == in_attribute_3[14:10];
+    wire zero_is_attribute_3_bits = 10'd0 == in_attribute_3[9:0];
+    wire [15:0] attribute_3_out_chosen = zero_is_attribute_3_bits ? {in_attribute_3[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_3_out = attribute_3_bits_is_31_d1 ? attribute_3_out_chosen_d1 : attribute_3_d1;
+    wire attribute_4_bits_is_31 = 5'd31 == in_attribute_4[14:10];
+    wire zero_is_attribute_4_bits = 10'd0 == in_attribute_4[9:0];
+    wire [15:0] attribute_4_out_chosen = zero_is_attribute_4_bits ? {in_attribute_4[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_4_out = attribute_4_bits_is_31_d1 ? attribute_4_out_chosen_d1 : attribute_4_d1;
+    wire attribute_5_bits_is_31 = 5'd31 == in_attribute_5[14:10];
+    wire zero_is_attribute_5_bits = 10'd0 == in_attribute_5[9:0];
+    wire [15:0] attribute_5_out_chosen = zero_is_attribute_5_bits ? {in_attribute_5[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_5_out = attribute_5_bits_is_31_d1 ? attribute_5_out_chosen_d1 : attribute_5_d1;
+    wire attribute_6_bits_is_31 = 5'd31 == in_attribute_6[14:10];
+    wire zero_is_attribute_6_bits = 10'd0 == in_attribute_6[9:0];
+    wire [15:0] attribute_6_out_chosen = zero_is_attribute_6_bits ? {in_attribute_6[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_6_out = attribute_6_bits_is_31_d1 ? attribute_6_out_chosen_d1 : attribute_6_d1;
+    wire attribute_7_bits_is_31 = 5'd31 == in_attribute_7[14:10];
+    wire zero_is_attribute_7_bits = 10'd0 == in_attribute_7[9:0];
+    wire [15:0] attribute_7_out_chosen = zero_is_attribute_7_bits ? {in_attribute_7[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_7_out = attribute_7_bits_is_31_d1 ? attribute_7_out_chosen_d1 : attribute_7_d1;
+    wire attribute_8_bits_is_31 = 5'd31 == in_attribute_8[14:10];
+    wire zero_is_attribute_8_bits = 10'd0 == in_attribute_8[9:0];
+    wire [15:0] attribute_8_out_chosen = zero_is_attribute_8_bits ? {in_attribute_8[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_8_out = attribute_8_bits_is_31_d1 ? attribute_8_out_chosen_d1 : attribute_8_d1;
+    wire attribute_9_bits_is_31 = 5'd31 == in_attribute_9[14:10];
+    wire zero_is_attribute_9_bits = 10'd0 == in_attribute_9[9:0];
+    wire [15:0] attribute_9_out_chosen = zero_is_attribute_9_bits ? {in_attribute_9[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_9_out = attribute_9_bits_is_31_d1 ? attribute_9_out_chosen_d1 : attribute_9_d1;
+    wire attribute_10_bits_is_31 = 5'd31 == in_attribute_10[14:10];
+    wire zero_is_attribute_10_bits = 10'd0 == in_attribute_10[9:0];
+    wire [15:0] attribute_10_out_chosen = zero_is_attribute_10_bits ? {in_attribute_10[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_10_out = attribute_10_bits_is_31_d1 ? attribute_10_out_chosen_d1 : attribute_10_d1;
+    wire attribute_11_bits_is_31 = 5'd31 == in_attribute_11[14:10];
+    wire zero_is_attribute_11_bits = 10'd0 == in_attribute_11[9:0];
+    wire [15:0] attribute_11_out_chosen = zero_is_attribute_11_bits ? {in_attribute_11[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_11_out = attribute_11_bits_is_31_d1 ? attribute_11_out_chosen_d1 : attribute_11_d1;
+    wire attribute_12_bits_is_31 = 5'd31 == in_attribute_12[14:10];
+    wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
+    wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? center_z_d1 : tangent2_z_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent2_x_d1 : center_z_d1) : phase[0] ? center_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent1_z_d1 : tangent2_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? tangent1_y_d1 : tangent1_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? center_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? tangent1_x_d1 : tangent1_y_d1) : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? tangent2_y_d1 : phase[0] ? tangent2_y_d1 : tangent2_x_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_a_choice : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m03 : m20_times_tangent2_x_d1) : phase[0] ? m00_times_tangent2_x_d1 : m10_times_tangent1_x_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_a_choice;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? m23 : v2_z_sum_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m12_times_tangent1_z_d1 : m02_times_tangent1_z_d1) : phase[0] ? m12_times_center_z_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? v2_y_sum_d1 : phase[0] ? v2_y_sum_d1 : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? m22_times_tangent1_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -8404,13 +8186,12 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w441 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d4, add_55_d1, add_56_d1, add_57_d1, add_65_d1, add_70_d1, add_75_d1, add_83_d1, add_88_d1,
-            add_93_d1, select_107_d3, select_115_d3, select_123_d3, select_131_d3, select_139_d3, select_147_d3,
-            select_155_d3, select_163_d3, select_171_d3, select_179_d3, select_187_d3, select_195_d3,
-            select_203_d3, cardinal_0_d4
+            end_d4, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, v2_z_d1,
+            attribute_0_out_d3, attribute_1_out_d3, attribute_2_out_d3, attribute_3_out_d3, attribute_4_out_d3,
+            attribute_5_out_d3, attribute_6_out_d3, attribute_7_out_d3, attribute_8_out_d3, attribute_9_out_d3,
+            attribute_10_out_d3, attribute_11_out_d3, attribute_12_out_d3, cardinal_0_d4
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -8503,200 +8284,169 @@ module splat_transform (
             cardinal_0_d2 <= cardinal_0_d1;
             cardinal_0_d3 <= cardinal_0_d2;
             cardinal_0_d4 <= cardinal_0_d3;
-            reinterpret_37_d1 <= in_center_x;
-            reinterpret_38_d1 <= in_center_y;
-            reinterpret_39_d1 <= in_center_z;
-            reinterpret_58_d1 <= in_tangent1_x;
-            reinterpret_59_d1 <= in_tangent1_y;
-            reinterpret_60_d1 <= in_tangent1_z;
-            reinterpret_76_d1 <= in_tangent2_x;
-            reinterpret_77_d1 <= in_tangent2_y;
-            reinterpret_78_d1 <= in_tangent2_z;
-            mul_79_d1 <= mul_f24_ftz_unit_y;
-            add_86_d1 <= add_f24_ftz_unit_copy2_y;
-            add_88_d1 <= add_f24_ftz_unit_copy3_y;
-            equal_100_d1 <= equal_100;
-            select_106_d1 <= select_106;
-            equal_111_d1 <= equal_111;
-            select_114_d1 <= select_114;
-            equal_119_d1 <= equal_119;
-            select_122_d1 <= select_122;
-            equal_127_d1 <= equal_127;
-            select_130_d1 <= select_130;
-            equal_135_d1 <= equal_135;
-            select_138_d1 <= select_138;
-            equal_143_d1 <= equal_143;
-            select_146_d1 <= select_146;
-            equal_151_d1 <= equal_151;
-            select_154_d1 <= select_154;
-            equal_159_d1 <= equal_159;
-            select_162_d1 <= select_162;
-            equal_167_d1 <= equal_167;
-            select_170_d1 <= select_170;
-            equal_175_d1 <= equal_175;
-            select_178_d1 <= select_178;
-            equal_183_d1 <= equal_183;
-            select_186_d1 <= select_186;
-            equal_191_d1 <= equal_191;
-            select_194_d1 <= select_194;
-            equal_199_d1 <= equal_199;
-            select_202_d1 <= select_202;
+            center_x_d1 <= in_center_x;
+            center_y_d1 <= in_center_y;
+            center_z_d1 <= in_center_z;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_z_d1 <= in_tangent2_z;
+            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
+            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            v2_y_d1 <= add_f24_ftz_unit_copy3_y;
+            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
+            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
+            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
+            attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
+            attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
+            attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
+            attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
+            attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
+            attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
+            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
+            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
+            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
+            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
+            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
+            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
+            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
+            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
+            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
+            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
+            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
+            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
+            attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
+            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
         end
         if (load_7) begin
-            mul_48_d1 <= mul_f24_ftz_unit_y;
-            mul_66_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_83_d1 <= add_f24_ftz_unit_copy3_y;
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m10_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
         end
         if (load_2) begin
-            add_55_d1 <= add_f24_ftz_unit_y;
-            add_57_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_64_d1 <= mul_f24_ftz_unit_y;
-            mul_69_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_74_d1 <= mul_f24_ftz_unit_copy3_y;
+            u_x_d1 <= add_f24_ftz_unit_y;
+            u_z_d1 <= add_f24_ftz_unit_copy2_y;
+            m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m22_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_3) begin
-            add_56_d1 <= add_f24_ftz_unit_copy3_y;
-            mul_82_d1 <= mul_f24_ftz_unit_y;
-            mul_87_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_92_d1 <= mul_f24_ftz_unit_copy3_y;
+            u_y_d1 <= add_f24_ftz_unit_copy3_y;
+            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
-        if (load_5) add_65_d1 <= add_f24_ftz_unit_copy2_y;
+        if (load_5) v1_x_d1 <= add_f24_ftz_unit_copy2_y;
         if (load_6) begin
-            add_70_d1 <= add_f24_ftz_unit_copy2_y;
-            add_75_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_y_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy3_y;
         end
         if (load_1) begin
-            mul_89_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_91_d1 <= add_f24_ftz_unit_y;
-            add_93_d1 <= add_f24_ftz_unit_copy2_y;
+            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            v2_z_sum_d1 <= add_f24_ftz_unit_y;
+            v2_z_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (load_4) begin
-            select_107_d1 <= select_107;
-            select_107_d2 <= select_107_d1;
-            select_107_d3 <= select_107_d2;
-            select_115_d1 <= select_115;
-            select_115_d2 <= select_115_d1;
-            select_115_d3 <= select_115_d2;
-            select_123_d1 <= select_123;
-            select_123_d2 <= select_123_d1;
-            select_123_d3 <= select_123_d2;
-            select_131_d1 <= select_131;
-            select_131_d2 <= select_131_d1;
-            select_131_d3 <= select_131_d2;
-            select_139_d1 <= select_139;
-            select_139_d2 <= select_139_d1;
-            select_139_d3 <= select_139_d2;
-            select_147_d1 <= select_147;
-            select_147_d2 <= select_147_d1;
-            select_147_d3 <= select_147_d2;
-            select_155_d1 <= select_155;
-            select_155_d2 <= select_155_d1;
-            select_155_d3 <= select_155_d2;
-            select_163_d1 <= select_163;
-            select_163_d2 <= select_163_d1;
-            select_163_d3 <= select_163_d2;
-            select_171_d1 <= select_171;
-            select_171_d2 <= select_171_d1;
-            select_171_d3 <= select_171_d2;
-            select_179_d1 <= select_179;
-            select_179_d2 <= select_179_d1;
-            select_179_d3 <= select_179_d2;
-            select_187_d1 <= select_187;
-            select_187_d2 <= select_187_d1;
-            select_187_d3 <= select_187_d2;
-            select_195_d1 <= select_195;
-            select_195_d2 <= select_195_d1;
-            select_195_d3 <= select_195_d2;
-            select_203_d1 <= select_203;
-            select_203_d2 <= select_203_d1;
-            select_203_d3 <= select_203_d2;
+            attribute_0_out_d1 <= attribute_0_out;
+            attribute_0_out_d2 <= attribute_0_out_d1;
+            attribute_0_out_d3 <= attribute_0_out_d2;
+            attribute_1_out_d1 <= attribute_1_out;
+            attribute_1_out_d2 <= attribute_1_out_d1;
+            attribute_1_out_d3 <= attribute_1_out_d2;
+            attribute_2_out_d1 <= attribute_2_out;
+            attribute_2_out_d2 <= attribute_2_out_d1;
+            attribute_2_out_d3 <= attribute_2_out_d2;
+            attribute_3_out_d1 <= attribute_3_out;
+            attribute_3_out_d2 <= attribute_3_out_d1;
+            attribute_3_out_d3 <= attribute_3_out_d2;
+            attribute_4_out_d1 <= attribute_4_out;
+            attribute_4_out_d2 <= attribute_4_out_d1;
+            attribute_4_out_d3 <= attribute_4_out_d2;
+            attribute_5_out_d1 <= attribute_5_out;
+            attribute_5_out_d2 <= attribute_5_out_d1;
+            attribute_5_out_d3 <= attribute_5_out_d2;
+            attribute_6_out_d1 <= attribute_6_out;
+            attribute_6_out_d2 <= attribute_6_out_d1;
+            attribute_6_out_d3 <= attribute_6_out_d2;
+            attribute_7_out_d1 <= attribute_7_out;
+            attribute_7_out_d2 <= attribute_7_out_d1;
+            attribute_7_out_d3 <= attribute_7_out_d2;
+            attribute_8_out_d1 <= attribute_8_out;
+            attribute_8_out_d2 <= attribute_8_out_d1;
+            attribute_8_out_d3 <= attribute_8_out_d2;
+            attribute_9_out_d1 <= attribute_9_out;
+            attribute_9_out_d2 <= attribute_9_out_d1;
+            attribute_9_out_d3 <= attribute_9_out_d2;
+            attribute_10_out_d1 <= attribute_10_out;
+            attribute_10_out_d2 <= attribute_10_out_d1;
+            attribute_10_out_d3 <= attribute_10_out_d2;
+            attribute_11_out_d1 <= attribute_11_out;
+            attribute_11_out_d2 <= attribute_11_out_d1;
+            attribute_11_out_d3 <= attribute_11_out_d2;
+            attribute_12_out_d1 <= attribute_12_out;
+            attribute_12_out_d2 <= attribute_12_out_d1;
+            attribute_12_out_d3 <= attribute_12_out_d2;
         end
         if (queue_in_ready) begin
             mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
             mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_5 : choice_8) : choice_10;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
             mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_78_d1 : choice_8) : choice_11;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy3_b_choice;
             mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_12 : phase[1] ? choice_9 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? choice_14 : choice_15;
-            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_16 : choice_13) : choice_17;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_18 : choice_19;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_20 : choice_22;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_24 : choice_25;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_27 : phase[1] ? mul_87_d1 : phase[0] ? mul_87_d1 : mul_82_d1;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
         end
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & phase_is_4));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & term_1))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & phase_is_4))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & phase_is_7))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -8705,24 +8455,21 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_lt_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} < {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -8732,10 +8479,7 @@ endmodule
 // stages = 6
 // format = f24-ftz
 module float_add_s6_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
@@ -8754,94 +8498,94 @@ module float_add_s6_f24ftz (
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] joined_1 = {|b_field, b_fraction & {15{|b_field}}};
+    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] joined_2 = {|a_field, a_fraction & {15{|a_field}}};
-    wire [18:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [18:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [18:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [18:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [18:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [18:0] joined_10 = {choice_7[18:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[23] ^ b[23];
-    wire [20:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 15'd0);
-    wire term_14 = &b_field & (b_fraction == 15'd0);
-    wire term_15 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_16 = term_15 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_17 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[13] & ~sum_s3[12]));
-    wire term_19 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_20 = term_19 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_21 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[5] & ~sum_s3[4])));
-    wire term_23 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_24 = term_23 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_25 = term_24 ? 2'd0 : {term_23, term_23 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_26 = term_20 ? {term_21, term_21 ? ~sum_s3[5] : ~sum_s3[7]} : {term_19, term_19 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [1:0] choice_27 = term_16 ? {term_17, term_17 ? ~sum_s3[13] : ~sum_s3[15]} : {term_15, term_15 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [3:0] joined_28 = {term_18, term_18 ? {term_20, choice_26} : {term_16, choice_27}};
-    wire [19:0] shifted_29 = value_s4 << zeros_s4;
-    wire term_30 = sum_s3 == 20'd0;
-    wire term_31 = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
-    wire term_32 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [18:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [18:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_23_xor_b_23 = a[23] ^ b[23];
+    wire [20:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zeros_s4_both = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_3 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_5 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_7 = zeros_s4_both_6 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire zeros_s4_both_8 = zeros_s4_both_4 & zeros_s4_both_7;
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_9 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_6 ? zeros_s4_bits_2 : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [1:0] zeros_s4_choice_2 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [2:0] zeros_s4_choice_3 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice} : {zeros_s4_both_2, zeros_s4_choice_2};
+    wire [3:0] zeros_s4_choice_4 = zeros_s4_both_8 ? {1'd0, zeros_s4_both_9, zeros_s4_both_9 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_4, zeros_s4_choice_3};
+    wire [19:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 20'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [22:0] rounded = {exponent_s5[7:0], significand_s5[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_33 = (zero_s5 | ((exponent_s5[9] | term_31) & ~infinite_s5)) ? 23'd0 : term_32 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
+            subtract_s1 <= a_23_xor_b_23;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[20:1];
+            sum_s3 <= sum_s3_sum[20:1];
             sign_s1 <= swap ? b[23] : a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_23_xor_b_23);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? {1'd0, term_24, choice_25} : joined_28};
+            zeros_s4 <= {zeros_s4_both_8, zeros_s4_choice_4};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_29[19:3], |shifted_29[2:0]};
-            sign_s4 <= sign_s3 & ~(term_30 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[19:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_30 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 24'h7fc000 : {sign_s5, choice_33};
+            y <= nan_s5 ? 24'h7fc000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_s3_sum[0]};
 endmodule
 
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
 module float_mul_s4_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -8856,17 +8600,17 @@ module float_mul_s4_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
-    wire term_8 = infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire y_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3)) ? 23'd0 : term_8 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s3 | ((exponent_s3[9] | y_both) & ~infinite_s3)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -8876,20 +8620,20 @@ module float_mul_s4_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= nan_s3 ? 24'h7fc000 : {sign_s3, choice_9};
+            y <= nan_s3 ? 24'h7fc000 : {sign_s3, y_choice_2};
         end
     end
 
@@ -8899,14 +8643,9 @@ endmodule
 // Queue of two in registers.
 // width = 441
 module stream_skid_w441 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [440:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [440:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [440:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [440:0] out_data
 );
     reg second_valid;
     reg [440:0] head, second;
@@ -8932,17 +8671,14 @@ module stream_skid_w441 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

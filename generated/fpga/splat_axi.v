@@ -3,63 +3,62 @@
 
 // Surface-splat renderer on AXI.
 module splat_axi (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output wire s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output wire s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output wire s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output wire s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output wire [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    input  wire s_axis_splat_tvalid,
+    output wire [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    input  wire s_axis_splat_tvalid,  // Beats of packets.
     output wire s_axis_splat_tready,
-    input  wire [63:0] s_axis_splat_tdata,
-    input  wire s_axis_splat_tlast,
-    output wire m_axis_fragment_tvalid,
+    input  wire [63:0] s_axis_splat_tdata,  // Its bytes.
+    input  wire s_axis_splat_tlast,  // Closes its packet.
+    output wire m_axis_fragment_tvalid,  // Beats of packets.
     input  wire m_axis_fragment_tready,
-    output wire [63:0] m_axis_fragment_tdata,
-    output wire m_axis_fragment_tlast,
-    output wire m_axi_arvalid,
+    output wire [63:0] m_axis_fragment_tdata,  // Its bytes.
+    output wire m_axis_fragment_tlast,  // Closes its packet.
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output wire m_axi_awvalid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output wire m_axi_awvalid,  // Bursts to be written.
     input  wire m_axi_awready,
-    output wire [3:0] m_axi_awid,
-    output wire [31:0] m_axi_awaddr,
-    output wire [7:0] m_axi_awlen,
-    output wire [2:0] m_axi_awsize,
-    output wire [1:0] m_axi_awburst,
-    output wire m_axi_wvalid,
+    output wire [3:0] m_axi_awid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_awaddr,  // Its first byte.
+    output wire [7:0] m_axi_awlen,  // One less than its beats.
+    output wire [2:0] m_axi_awsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_awburst,  // How the address goes on: up, where it is 1.
+    output wire m_axi_wvalid,  // Their beats.
     input  wire m_axi_wready,
-    output wire [63:0] m_axi_wdata,
-    output wire [7:0] m_axi_wstrb,
-    output wire m_axi_wlast,
-    input  wire m_axi_bvalid,
+    output wire [63:0] m_axi_wdata,  // Its bytes.
+    output wire [7:0] m_axi_wstrb,  // A bit for each byte that is to be written.
+    output wire m_axi_wlast,  // Closes its burst.
+    input  wire m_axi_bvalid,  // Answers to bursts.
     output wire m_axi_bready,
-    input  wire [3:0] m_axi_bid,
-    input  wire [1:0] m_axi_bresp,
-    output wire irq
+    input  wire [3:0] m_axi_bid,  // The burst's identifier.
+    input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
+    output wire irq  // Interrupt.
 );
     reg has_ended;
 
@@ -131,7 +130,7 @@ module splat_axi (
     wire core_read_ready = reads_request_ready & writes_idle;
     wire no_read = ~core_read_valid;
     wire core_write_ready = writes_in_ready & no_read;
-    wire term_1 = has_ended & ~registers_start;
+    wire has_ended_both = has_ended & ~registers_start;
     wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
     wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
     wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
@@ -169,9 +168,8 @@ module splat_axi (
     assign irq = registers_irq;
 
     splat_top core (
-        .clk(clk), .rst(rst | registers_core_reset),
-        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
-        .uniform_data(registers_uniform_data),
+        .clk(clk), .rst(rst | registers_core_reset), .uniform_valid(registers_uniform_valid),
+        .uniform_address(registers_uniform_address), .uniform_data(registers_uniform_data),
         .splat_valid(splats_out_valid), .splat_ready(core_splat_ready), .splat_end(splats_out_end),
         .splat_center_x(splats_out_center_x), .splat_center_y(splats_out_center_y),
         .splat_center_z(splats_out_center_z), .splat_tangent1_x(splats_out_tangent1_x),
@@ -222,14 +220,12 @@ module splat_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
         .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
         .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
         .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
-        .finished(term_1 & (fragments_idle & writes_idle)), .occupied(1'd0), .busy(registers_busy),
-        .start(registers_start),
-        .core_reset(registers_core_reset),
+        .finished(has_ended_both & (fragments_idle & writes_idle)), .occupied(1'd0), .busy(registers_busy),
+        .start(registers_start), .core_reset(registers_core_reset),
         .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
         .uniform_data(registers_uniform_data),
         .burst_error(reads_misplaced),
@@ -242,14 +238,13 @@ module splat_axi (
         .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
         .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
         .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq),
-        .buffer_base(registers_buffer_base)
+        .irq(registers_irq), .buffer_base(registers_buffer_base)
     );
 
     bus_packet_in splats (
-        .clk(clk), .rst(rst), .opens(registers_start),
-        .s_axis_tvalid(s_axis_splat_tvalid), .s_axis_tready(splats_s_axis_tready),
-        .s_axis_tdata(s_axis_splat_tdata), .s_axis_tlast(s_axis_splat_tlast),
+        .clk(clk), .rst(rst), .opens(registers_start), .s_axis_tvalid(s_axis_splat_tvalid),
+        .s_axis_tready(splats_s_axis_tready), .s_axis_tdata(s_axis_splat_tdata),
+        .s_axis_tlast(s_axis_splat_tlast),
         .out_valid(splats_out_valid), .out_ready(core_splat_ready), .out_end(splats_out_end),
         .out_center_x(splats_out_center_x), .out_center_y(splats_out_center_y),
         .out_center_z(splats_out_center_z), .out_tangent1_x(splats_out_tangent1_x),
@@ -267,25 +262,24 @@ module splat_axi (
     );
 
     bus_packet_out fragments (
-        .clk(clk), .rst(rst),
-        .in_valid(core_fragment_valid), .in_ready(fragments_in_ready), .in_end(core_fragment_end),
-        .in_column(core_fragment_column), .in_row(core_fragment_row), .in_depth(core_fragment_depth),
-        .in_attribute_0(core_fragment_attribute_0), .in_attribute_1(core_fragment_attribute_1),
-        .in_attribute_2(core_fragment_attribute_2), .in_attribute_3(core_fragment_attribute_3),
-        .in_attribute_4(core_fragment_attribute_4), .in_attribute_5(core_fragment_attribute_5),
-        .in_attribute_6(core_fragment_attribute_6), .in_attribute_7(core_fragment_attribute_7),
-        .in_attribute_8(core_fragment_attribute_8), .in_attribute_9(core_fragment_attribute_9),
-        .in_attribute_10(core_fragment_attribute_10), .in_attribute_11(core_fragment_attribute_11),
-        .in_attribute_12(core_fragment_attribute_12), .in_cardinal_0(core_fragment_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(core_fragment_valid), .in_ready(fragments_in_ready),
+        .in_end(core_fragment_end), .in_column(core_fragment_column), .in_row(core_fragment_row),
+        .in_depth(core_fragment_depth), .in_attribute_0(core_fragment_attribute_0),
+        .in_attribute_1(core_fragment_attribute_1), .in_attribute_2(core_fragment_attribute_2),
+        .in_attribute_3(core_fragment_attribute_3), .in_attribute_4(core_fragment_attribute_4),
+        .in_attribute_5(core_fragment_attribute_5), .in_attribute_6(core_fragment_attribute_6),
+        .in_attribute_7(core_fragment_attribute_7), .in_attribute_8(core_fragment_attribute_8),
+        .in_attribute_9(core_fragment_attribute_9), .in_attribute_10(core_fragment_attribute_10),
+        .in_attribute_11(core_fragment_attribute_11), .in_attribute_12(core_fragment_attribute_12),
+        .in_cardinal_0(core_fragment_cardinal_0),
         .m_axis_tvalid(fragments_m_axis_tvalid), .m_axis_tready(m_axis_fragment_tready),
         .m_axis_tdata(fragments_m_axis_tdata), .m_axis_tlast(fragments_m_axis_tlast),
         .sent(fragments_sent), .idle(fragments_idle)
     );
 
     bus_reader reads (
-        .clk(clk), .rst(rst),
-        .request_valid(core_read_valid & writes_idle), .request_ready(reads_request_ready),
-        .request_address(tile_address), .request_records(7'd64),
+        .clk(clk), .rst(rst), .request_valid(core_read_valid & writes_idle),
+        .request_ready(reads_request_ready), .request_address(tile_address), .request_records(7'd64),
         .m_axi_arvalid(reads_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(reads_m_axi_arid),
         .m_axi_araddr(reads_m_axi_araddr), .m_axi_arlen(reads_m_axi_arlen), .m_axi_arsize(reads_m_axi_arsize),
         .m_axi_arburst(reads_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(reads_m_axi_rready),
@@ -305,16 +299,16 @@ module splat_axi (
     );
 
     bus_writer writes (
-        .clk(clk), .rst(rst),
-        .in_valid(core_write_valid & no_read), .in_ready(writes_in_ready), .in_address(pixel_address),
-        .in_weight(core_write_weight), .in_depth(core_write_depth), .in_peak(core_write_peak),
-        .in_attribute_0(core_write_attribute_0), .in_attribute_1(core_write_attribute_1),
-        .in_attribute_2(core_write_attribute_2), .in_attribute_3(core_write_attribute_3),
-        .in_attribute_4(core_write_attribute_4), .in_attribute_5(core_write_attribute_5),
-        .in_attribute_6(core_write_attribute_6), .in_attribute_7(core_write_attribute_7),
-        .in_attribute_8(core_write_attribute_8), .in_attribute_9(core_write_attribute_9),
-        .in_attribute_10(core_write_attribute_10), .in_attribute_11(core_write_attribute_11),
-        .in_attribute_12(core_write_attribute_12), .in_cardinal_0(core_write_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(core_write_valid & no_read), .in_ready(writes_in_ready),
+        .in_address(pixel_address), .in_weight(core_write_weight), .in_depth(core_write_depth),
+        .in_peak(core_write_peak), .in_attribute_0(core_write_attribute_0),
+        .in_attribute_1(core_write_attribute_1), .in_attribute_2(core_write_attribute_2),
+        .in_attribute_3(core_write_attribute_3), .in_attribute_4(core_write_attribute_4),
+        .in_attribute_5(core_write_attribute_5), .in_attribute_6(core_write_attribute_6),
+        .in_attribute_7(core_write_attribute_7), .in_attribute_8(core_write_attribute_8),
+        .in_attribute_9(core_write_attribute_9), .in_attribute_10(core_write_attribute_10),
+        .in_attribute_11(core_write_attribute_11), .in_attribute_12(core_write_attribute_12),
+        .in_cardinal_0(core_write_cardinal_0),
         .m_axi_awvalid(writes_m_axi_awvalid), .m_axi_awready(m_axi_awready), .m_axi_awid(writes_m_axi_awid),
         .m_axi_awaddr(writes_m_axi_awaddr), .m_axi_awlen(writes_m_axi_awlen),
         .m_axi_awsize(writes_m_axi_awsize), .m_axi_awburst(writes_m_axi_awburst),
@@ -325,11 +319,8 @@ module splat_axi (
     );
 
     always @(posedge clk) begin
-        if (rst) begin
-            has_ended <= 1'd0;
-        end else begin
-            has_ended <= is_last | term_1;
-        end
+        if (rst) has_ended <= 1'd0;
+        else has_ended <= is_last | has_ended_both;
     end
 
     wire _unused = &{1'b0, registers_busy};
@@ -339,46 +330,45 @@ endmodule
 // beats = 8
 // width = 64
 module bus_writer (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Records.
     output wire in_ready,
-    input  wire [31:0] in_address,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_peak,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire m_axi_awvalid,
+    input  wire [31:0] in_address,  // Where the record goes.
+    input  wire [27:0] in_weight,  // Sum of weights.
+    input  wire [51:0] in_depth,  // Sum of weighted depths.
+    input  wire [15:0] in_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire m_axi_awvalid,  // Bursts to be written.
     input  wire m_axi_awready,
-    output wire [3:0] m_axi_awid,
-    output wire [31:0] m_axi_awaddr,
-    output wire [7:0] m_axi_awlen,
-    output wire [2:0] m_axi_awsize,
-    output wire [1:0] m_axi_awburst,
-    output wire m_axi_wvalid,
+    output wire [3:0] m_axi_awid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_awaddr,  // Its first byte.
+    output wire [7:0] m_axi_awlen,  // One less than its beats.
+    output wire [2:0] m_axi_awsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_awburst,  // How the address goes on: up, where it is 1.
+    output wire m_axi_wvalid,  // Their beats.
     input  wire m_axi_wready,
-    output wire [63:0] m_axi_wdata,
-    output wire [7:0] m_axi_wstrb,
-    output wire m_axi_wlast,
-    input  wire m_axi_bvalid,
+    output wire [63:0] m_axi_wdata,  // Its bytes.
+    output wire [7:0] m_axi_wstrb,  // A bit for each byte that is to be written.
+    output wire m_axi_wlast,  // Closes its burst.
+    input  wire m_axi_bvalid,  // Answers to bursts.
     output wire m_axi_bready,
-    input  wire [3:0] m_axi_bid,
-    input  wire [1:0] m_axi_bresp,
-    output reg  error,
-    output wire idle
+    input  wire [3:0] m_axi_bid,  // The burst's identifier.
+    input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
+    output reg  error,  // An answer was none of success.
+    output wire idle  // All that was taken is written.
 );
     reg [4:0] unanswered;
     reg held;
@@ -403,12 +393,13 @@ module bus_writer (
     wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire takes = in_valid & takes_record;
     wire accepted = takes;
-    wire [63:0] joined_1 = {16'd0, held_cardinal_0, held_attribute_12, held_attribute_11};
-    wire [63:0] joined_2 = {held_attribute_10, held_attribute_9, held_attribute_8, held_attribute_7};
-    wire [63:0] choice_3 = place[1] ? (place[0] ? 64'd0 : 64'd0) : place[0] ? joined_1 : joined_2;
-    wire [63:0] joined_4 = {held_attribute_6, held_attribute_5, held_attribute_4, held_attribute_3};
-    wire [63:0] joined_5 = {held_attribute_2, held_attribute_1, held_attribute_0, held_peak};
-    wire [63:0] choice_6 = place[1] ? (place[0] ? joined_4 : joined_5) : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
+    wire [63:0] beat_queue_in_data_bits = {held_attribute_10, held_attribute_9, held_attribute_8, held_attribute_7};
+    wire [63:0] beat_queue_in_data_choice = place[0] ? {16'd0, held_cardinal_0, held_attribute_12, held_attribute_11} : beat_queue_in_data_bits;
+    wire [63:0] beat_queue_in_data_choice_2 = place[1] ? (place[0] ? 64'd0 : 64'd0) : beat_queue_in_data_choice;
+    wire [63:0] beat_queue_in_data_bits_2 = {held_attribute_6, held_attribute_5, held_attribute_4, held_attribute_3};
+    wire [63:0] beat_queue_in_data_bits_3 = {held_attribute_2, held_attribute_1, held_attribute_0, held_peak};
+    wire [63:0] beat_queue_in_data_choice_3 = place[1] ? (place[0] ? beat_queue_in_data_bits_2 : beat_queue_in_data_bits_3) : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
+    wire [63:0] beat_queue_in_data_choice_4 = place[2] ? beat_queue_in_data_choice_2 : beat_queue_in_data_choice_3;
 
     assign in_ready = takes_record;
     assign m_axi_awvalid = address_queue_out_valid;
@@ -425,14 +416,14 @@ module bus_writer (
     assign idle = unanswered == 5'd0;
 
     stream_skid_w34 address_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(accepted), .in_ready(address_queue_in_ready), .in_data({in_address[31:6], 8'd7}),
+        .clk(clk), .rst(rst), .in_valid(accepted), .in_ready(address_queue_in_ready),
+        .in_data({in_address[31:6], 8'd7}),
         .out_valid(address_queue_out_valid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(held), .in_ready(beat_queue_in_ready), .in_data({place[2] ? choice_3 : choice_6, at_end}),
+        .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({beat_queue_in_data_choice_4, at_end}),
         .out_valid(beat_queue_out_valid), .out_ready(m_axi_wready), .out_data(beat_queue_out_data)
     );
 
@@ -479,46 +470,45 @@ endmodule
 // width = 64
 // records = 64
 module bus_reader (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire request_valid,  // Records wanted.
     output wire request_ready,
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [6:0] request_records,  // How many.
-    output wire m_axi_arvalid,
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output reg  record_valid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid,  // The records.
     input  wire record_ready,
-    output wire [27:0] record_weight,
-    output wire [51:0] record_depth,
-    output wire [15:0] record_peak,
-    output wire [15:0] record_attribute_0,
-    output wire [15:0] record_attribute_1,
-    output wire [15:0] record_attribute_2,
-    output wire [15:0] record_attribute_3,
-    output wire [15:0] record_attribute_4,
-    output wire [15:0] record_attribute_5,
-    output wire [15:0] record_attribute_6,
-    output wire [15:0] record_attribute_7,
-    output wire [15:0] record_attribute_8,
-    output wire [15:0] record_attribute_9,
-    output wire [15:0] record_attribute_10,
-    output wire [15:0] record_attribute_11,
-    output wire [15:0] record_attribute_12,
-    output wire [15:0] record_cardinal_0,
-    output reg  error,
-    output reg  misplaced
+    output wire [27:0] record_weight,  // Sum of weights.
+    output wire [51:0] record_depth,  // Sum of weighted depths.
+    output wire [15:0] record_peak,  // The largest single weight, with cardinal attributes only.
+    output wire [15:0] record_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire [15:0] record_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
 );
     reg held;
     reg [25:0] address;
@@ -544,14 +534,14 @@ module bus_reader (
     wire takes_request = ~held | (issues & ~crosses);
     wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [6:0] burst = crosses ? room_records : records;
-    wire [8:0] difference_1 = {burst[5:0], 3'd0} - 9'd1;
-    wire [7:0] length = difference_1[7:0];
+    wire [8:0] length_difference = {burst[5:0], 3'd0} - 9'd1;
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
-    wire term_2 = takes_request | issues;
+    wire takes_request_or_issues = takes_request | issues;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
     wire takes_beat_1 = moves & (number[2:0] == 3'd1);
     wire takes_beat_2 = moves & (number[2:0] == 3'd2);
@@ -559,7 +549,7 @@ module bus_reader (
     wire takes_beat_4 = moves & (number[2:0] == 3'd4);
     wire takes_beat_5 = moves & (number[2:0] == 3'd5);
     wire beat_queue_out_last = beat_queue_out_data[0];
-    wire term_3 = is_wrong | (beat_queue_out_last ^ ends);
+    wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
@@ -588,21 +578,20 @@ module bus_reader (
     assign record_cardinal_0 = held_cardinal_0_0;
 
     stream_skid_w34 address_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
+        .in_data({address, length}),
         .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
@@ -619,14 +608,14 @@ module bus_reader (
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
-                is_wrong <= ~ends & term_3;
+                is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
-            misplaced <= moves & (ends & term_3);
+            misplaced <= moves & (ends & is_wrong_either);
         end
     end
     always @(posedge clk) begin
-        if (term_2) begin
+        if (takes_request_or_issues) begin
             address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
             records <= takes_request ? request_records : (records - room_records);
         end
@@ -657,21 +646,16 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, burst[6], difference_1[8], m_axi_rid, request_address[5:0]};
+    wire _unused = &{1'b0, burst[6], length_difference[8], m_axi_rid, request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 8
 module stream_fifo_d16_w8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [7:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [7:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -686,8 +670,7 @@ module stream_fifo_d16_w8 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -708,25 +691,16 @@ module stream_fifo_d16_w8 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -734,14 +708,9 @@ endmodule
 // Queue of two in registers.
 // width = 34
 module stream_skid_w34 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [33:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [33:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
     reg [33:0] head, second;
@@ -767,17 +736,14 @@ module stream_skid_w34 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -786,34 +752,33 @@ endmodule
 // beats = 5
 // width = 64
 module bus_packet_out (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Records.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [31:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire m_axis_tvalid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [8:0] in_column,  // Column of the image.
+    input  wire [8:0] in_row,  // Row of the image.
+    input  wire [31:0] in_depth,  // Depth in the geometry format.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    output wire m_axis_tvalid,  // Beats of packets.
     input  wire m_axis_tready,
-    output wire [63:0] m_axis_tdata,
-    output wire m_axis_tlast,
-    output reg  sent,
-    output wire idle
+    output wire [63:0] m_axis_tdata,  // Its bytes.
+    output wire m_axis_tlast,  // Closes its packet.
+    output reg  sent,  // A packet was sent.
+    output wire idle  // Nothing is on its way.
 );
     reg held;
     reg [2:0] place;
@@ -831,11 +796,11 @@ module bus_packet_out (
     wire at_end = place == 3'd4;
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
-    wire [63:0] joined_1 = {held_cardinal_0, held_attribute_12, held_attribute_11, held_attribute_10};
-    wire [63:0] joined_2 = {held_attribute_9, held_attribute_8, held_attribute_7, held_attribute_6};
-    wire [63:0] joined_3 = {held_attribute_5, held_attribute_4, held_attribute_3, held_attribute_2};
-    wire [63:0] choice_4 = place[0] ? {held_attribute_1, held_attribute_0, held_depth} : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
-    wire [63:0] choice_5 = place[2] ? joined_1 : place[1] ? (place[0] ? joined_2 : joined_3) : choice_4;
+    wire [63:0] beat_queue_in_data_bits = {held_cardinal_0, held_attribute_12, held_attribute_11, held_attribute_10};
+    wire [63:0] beat_queue_in_data_bits_2 = {held_attribute_9, held_attribute_8, held_attribute_7, held_attribute_6};
+    wire [63:0] beat_queue_in_data_bits_3 = {held_attribute_5, held_attribute_4, held_attribute_3, held_attribute_2};
+    wire [63:0] beat_queue_in_data_choice = place[0] ? {held_attribute_1, held_attribute_0, held_depth} : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
+    wire [63:0] beat_queue_in_data_choice_2 = place[1] ? (place[0] ? beat_queue_in_data_bits_2 : beat_queue_in_data_bits_3) : beat_queue_in_data_choice;
     wire takes = in_valid & takes_record;
     wire beat_queue_out_last = beat_queue_out_data[0];
 
@@ -845,8 +810,8 @@ module bus_packet_out (
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(held), .in_ready(beat_queue_in_ready), .in_data({choice_5, at_end}),
+        .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({place[2] ? beat_queue_in_data_bits : beat_queue_in_data_choice_2, at_end}),
         .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
@@ -888,14 +853,9 @@ endmodule
 // Queue of two in registers.
 // width = 65
 module stream_skid_w65 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [64:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [64:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
 );
     reg second_valid;
     reg [64:0] head, second;
@@ -921,17 +881,14 @@ module stream_skid_w65 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -940,41 +897,40 @@ endmodule
 // beats = 9
 // width = 64
 module bus_packet_in (
-    input  wire clk,
-    input  wire rst,
-    input  wire opens,
-    input  wire s_axis_tvalid,
+    input  wire clk, input wire rst,
+    input  wire opens,  // A run begins.
+    input  wire s_axis_tvalid,  // Beats of packets.
     output wire s_axis_tready,
-    input  wire [63:0] s_axis_tdata,
-    input  wire s_axis_tlast,
-    output reg  out_valid,
+    input  wire [63:0] s_axis_tdata,  // Its bytes.
+    input  wire s_axis_tlast,  // Closes its packet.
+    output reg  out_valid,  // The records of good packets.
     input  wire out_ready,
-    output wire out_end,
-    output wire [31:0] out_center_x,
-    output wire [31:0] out_center_y,
-    output wire [31:0] out_center_z,
-    output wire [31:0] out_tangent1_x,
-    output wire [31:0] out_tangent1_y,
-    output wire [31:0] out_tangent1_z,
-    output wire [31:0] out_tangent2_x,
-    output wire [31:0] out_tangent2_y,
-    output wire [31:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output reg  taken,
-    output reg  refused
+    output wire out_end,  // Closes the frame.
+    output wire [31:0] out_center_x,  // Center.
+    output wire [31:0] out_center_y,  // Center.
+    output wire [31:0] out_center_z,  // Center.
+    output wire [31:0] out_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output reg  taken,  // A packet was taken.
+    output reg  refused  // A packet was refused.
 );
     reg [3:0] place;
     reg is_overlong, begun, ends, is_open, held_end_0;
@@ -989,9 +945,9 @@ module bus_packet_in (
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
-    wire term_1 = takes & ~is_overlong;
-    wire term_2 = place == 4'd8;
-    wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
+    wire takes_and_not_is_overlong = takes & ~is_overlong;
+    wire place_is_8 = place == 4'd8;
+    wire whole = takes & (s_axis_tlast & (place_is_8 & ~is_overlong));
     wire advance = ~out_valid | out_ready;
     wire beat_queue_out_good = beat_queue_out_data[68];
     wire moves = beat_queue_out_valid & advance;
@@ -1033,8 +989,8 @@ module bus_packet_in (
     assign out_cardinal_0 = held_cardinal_0_0;
 
     stream_skid_w69 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_1), .in_ready(beat_queue_in_ready), .in_data({whole, s_axis_tdata, place}),
+        .clk(clk), .rst(rst), .in_valid(takes_and_not_is_overlong), .in_ready(beat_queue_in_ready),
+        .in_data({whole, s_axis_tdata, place}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
@@ -1048,14 +1004,16 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) place <= (s_axis_tlast | term_2) ? 4'd0 : (place + 4'd1);
+            if (takes_and_not_is_overlong) begin
+                place <= (s_axis_tlast | place_is_8) ? 4'd0 : (place + 4'd1);
+            end
             if (takes) begin
-                is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
+                is_overlong <= ~s_axis_tlast & (is_overlong | place_is_8);
                 begun <= ~s_axis_tlast;
             end
             is_open <= opens | (is_open & ~(whole & ends));
             taken <= whole;
-            refused <= takes & ((s_axis_tlast ^ term_2) & ~is_overlong);
+            refused <= takes & ((s_axis_tlast ^ place_is_8) & ~is_overlong);
             if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
@@ -1109,14 +1067,9 @@ endmodule
 // Queue of two in registers.
 // width = 69
 module stream_skid_w69 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [68:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [68:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [68:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [68:0] out_data
 );
     reg second_valid;
     reg [68:0] head, second;
@@ -1142,17 +1095,14 @@ module stream_skid_w69 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1160,46 +1110,45 @@ endmodule
 // Registers of a core.
 // registers = 42
 module bus_registers (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output reg  s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output reg  s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire finished,
-    input  wire occupied,
-    output reg  busy,
-    output reg  start,
-    output reg  core_reset,
-    output reg  uniform_valid,
-    output reg  [4:0] uniform_address,
-    output reg  [31:0] uniform_data,
-    input  wire burst_error,
-    input  wire packet_error,
-    input  wire [1:0] memory_error,
-    input  wire packet_taken,
-    input  wire packet_sent,
-    input  wire event_sample,
-    input  wire event_starved,
-    input  wire event_blocked,
-    input  wire event_accumulate,
-    input  wire event_hazard,
-    input  wire event_slot_wait,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire finished,  // The run has ended.
+    input  wire occupied,  // No run may begin.
+    output reg  busy,  // A run is under way.
+    output reg  start,  // A run begins.
+    output reg  core_reset,  // The core is to be reset.
+    output reg  uniform_valid,  // Writes to the core's own registers.
+    output reg  [4:0] uniform_address,  // The register's place among them.
+    output reg  [31:0] uniform_data,  // Its new value.
+    input  wire burst_error,  // A burst was refused, or ended where it must not.
+    input  wire packet_error,  // A packet was refused.
+    input  wire [1:0] memory_error,  // Memory answered with an error.
+    input  wire packet_taken,  // A packet was taken.
+    input  wire packet_sent,  // A packet was sent.
+    input  wire event_sample,  // The rasterizer evaluated a sample.
+    input  wire event_starved,  // The rasterizer had no copy to work on.
+    input  wire event_blocked,  // The rasterizer's pipeline was held by what follows it.
+    input  wire event_accumulate,  // The accumulator took a sample.
+    input  wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
+    input  wire event_slot_wait,  // The accumulator waited for its tile to arrive in the cache.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output reg  s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output reg  s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output reg  [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    output reg  irq,
-    output wire [31:0] buffer_base
+    output reg  [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    output reg  irq,  // Interrupt.
+    output wire [31:0] buffer_base  // Address of the reconstruction buffer.
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:13];
@@ -1250,17 +1199,19 @@ module bus_registers (
 
     wire read_ready = ~(has_read_address | s_axil_rvalid);
     wire judges = has_address & (has_data & ~s_axil_bvalid);
-    wire term_1 = write_address[11:2] == 10'd1;
-    wire term_2 = write_address[11:2] == 10'd3;
-    wire term_3 = write_address[11:2] == 10'd32;
-    wire term_4 = (10'd64 <= write_address[11:2]) & ~(10'd86 < write_address[11:2]);
-    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_1 | term_2 | term_3 | term_4);
-    wire idle_only = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
-    wire wants_start = term_1 & write_data[0];
+    wire write_address_11_2_is_1 = write_address[11:2] == 10'd1;
+    wire write_address_11_2_is_3 = write_address[11:2] == 10'd3;
+    wire write_address_11_2_is_32 = write_address[11:2] == 10'd32;
+    wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_32;
+    wire uniform_valid_both = (10'd64 <= write_address[11:2]) & ~(10'd86 < write_address[11:2]);
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either | uniform_valid_both);
+    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
+    wire idle_only = idle_only_either | uniform_valid_both;
+    wire wants_start = write_address_11_2_is_1 & write_data[0];
     wire blocked = (idle_only & busy) | (wants_start & occupied);
-    wire senseless = term_3 & |write_data[11:0];
+    wire senseless = write_address_11_2_is_32 & |write_data[11:0];
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
-    wire commands = write_accepted & term_1;
+    wire commands = write_accepted & write_address_11_2_is_1;
     wire starts = commands & write_data[0];
     reg [4:0] found;
     always @(*) begin
@@ -1300,65 +1251,65 @@ module bus_registers (
         endcase
     end
     wire reads_counter = found[4] & (read_address[11:7] == 5'd0);
-    wire term_5 = read_address[11:2] == 10'd0;
-    wire term_6 = read_address[11:2] == 10'd2;
-    wire term_7 = read_address[11:2] == 10'd3;
-    wire term_8 = read_address[11:2] == 10'd32;
-    wire term_9 = (read_address[1:0] == 2'd0) & (term_5 | term_6 | term_7 | term_8 | reads_counter);
-    wire refused_read = has_read_address & ~term_9;
+    wire read_address_11_2_is_0 = read_address[11:2] == 10'd0;
+    wire read_address_11_2_is_2 = read_address[11:2] == 10'd2;
+    wire read_address_11_2_is_3 = read_address[11:2] == 10'd3;
+    wire refused_read_either = read_address_11_2_is_0 | read_address_11_2_is_2 | read_address_11_2_is_3;
+    wire read_address_11_2_is_32 = read_address[11:2] == 10'd32;
+    wire refused_read_both = (read_address[1:0] == 2'd0) & (refused_read_either | read_address_11_2_is_32 | reads_counter);
+    wire refused_read = has_read_address & ~refused_read_both;
     wire asks = has_read_address & (reads_counter & ~refused_read);
     wire answers = has_read_address & (~asks | read_valid);
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
-    wire term_10 = refused_write | refused_read | refused_busy | burst_error;
-    wire term_11 = term_10 | packet_error | memory_error[0] | memory_error[1];
+    wire error_either = refused_write | refused_read | refused_busy | burst_error | packet_error;
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
-    wire [6:0] sum_12 = {6'd0, refused_write} + {6'd0, refused_read};
+    wire [6:0] part_0_sum = {6'd0, refused_write} + {6'd0, refused_read};
     wire visits_1 = looks & (visited == 4'd1);
     wire visits_2 = looks & (visited == 4'd2);
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
-    wire [6:0] sum_13 = {6'd0, memory_error[0]} + {6'd0, memory_error[1]};
+    wire [6:0] part_4_sum = {6'd0, memory_error[0]} + {6'd0, memory_error[1]};
     wire visits_5 = looks & (visited == 4'd5);
     wire visits_6 = looks & (visited == 4'd6);
-    wire term_14 = packet_taken & busy;
-    wire [5:0] joined_15 = {5'd0, term_14};
+    wire packet_taken_and_busy = packet_taken & busy;
+    wire [5:0] part_6_bits = {5'd0, packet_taken_and_busy};
     wire visits_7 = looks & (visited == 4'd7);
-    wire term_16 = packet_sent & busy;
-    wire [5:0] joined_17 = {5'd0, term_16};
+    wire packet_sent_and_busy = packet_sent & busy;
+    wire [5:0] part_7_bits = {5'd0, packet_sent_and_busy};
     wire visits_8 = looks & (visited == 4'd8);
-    wire term_18 = event_sample & busy;
-    wire [5:0] joined_19 = {5'd0, term_18};
+    wire event_sample_and_busy = event_sample & busy;
+    wire [5:0] part_8_bits = {5'd0, event_sample_and_busy};
     wire visits_9 = looks & (visited == 4'd9);
-    wire term_20 = event_starved & busy;
-    wire [5:0] joined_21 = {5'd0, term_20};
+    wire event_starved_and_busy = event_starved & busy;
+    wire [5:0] part_9_bits = {5'd0, event_starved_and_busy};
     wire visits_10 = looks & (visited == 4'd10);
-    wire term_22 = event_blocked & busy;
-    wire [5:0] joined_23 = {5'd0, term_22};
+    wire event_blocked_and_busy = event_blocked & busy;
+    wire [5:0] part_10_bits = {5'd0, event_blocked_and_busy};
     wire visits_11 = looks & (visited == 4'd11);
-    wire term_24 = event_accumulate & busy;
-    wire [5:0] joined_25 = {5'd0, term_24};
+    wire event_accumulate_and_busy = event_accumulate & busy;
+    wire [5:0] part_11_bits = {5'd0, event_accumulate_and_busy};
     wire visits_12 = looks & (visited == 4'd12);
-    wire term_26 = event_hazard & busy;
-    wire [5:0] joined_27 = {5'd0, term_26};
+    wire event_hazard_and_busy = event_hazard & busy;
+    wire [5:0] part_12_bits = {5'd0, event_hazard_and_busy};
     wire visits_13 = looks & (visited == 4'd13);
-    wire term_28 = event_slot_wait & busy;
-    wire [5:0] joined_29 = {5'd0, term_28};
-    wire [6:0] choice_30 = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [6:0] choice_31 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [6:0] choice_32 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
-    wire [6:0] choice_33 = visited[1] ? (visited[0] ? {1'd0, part_3} : {1'd0, part_2}) : visited[0] ? {1'd0, part_1} : part_0;
-    wire choice_34 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire choice_35 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : choice_34;
-    wire choice_36 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire choice_37 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire event_slot_wait_and_busy = event_slot_wait & busy;
+    wire [5:0] part_13_bits = {5'd0, event_slot_wait_and_busy};
+    wire [6:0] part_choice = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [6:0] part_choice_2 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [6:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
+    wire [6:0] part_choice_4 = visited[1] ? (visited[0] ? {1'd0, part_3} : {1'd0, part_2}) : visited[0] ? {1'd0, part_1} : part_0;
+    wire is_void_choice = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire is_void_choice_2 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : is_void_choice;
+    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire is_void_choice_4 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] term_38 = ({32{term_5}} & 32'h50430a01) | ({32{term_6}} & {29'd0, error, done, busy});
-    wire [31:0] term_39 = term_38 | ({32{term_7}} & {31'd0, interrupt_enable_bits});
-    wire [31:0] term_40 = (term_39 | ({32{term_8}} & {buffer_base_bits, 12'd0})) & {32{~refused_read}};
+    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430a01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
+    wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] s_axil_rdata_either_3 = s_axil_rdata_either_2 | ({32{read_address_11_2_is_32}} & {buffer_base_bits, 12'd0});
 
     assign s_axil_awready = ~has_address;
     assign s_axil_wready = ~has_data;
@@ -1426,11 +1377,11 @@ module bus_registers (
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
             done <= ~starts & (done | (busy & finished));
-            uniform_valid <= write_accepted & term_4;
+            uniform_valid <= write_accepted & uniform_valid_both;
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= term_11 | (error & ~clear_errors);
+            error <= error_either | memory_error[0] | memory_error[1] | (error & ~clear_errors);
             adds <= looks;
-            part_0 <= (visits_0 | clear_errors) ? sum_12 : (part_0 + sum_12);
+            part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
             void_0 <= clear_errors | (void_0 & ~visits_0);
             part_1 <= (visits_1 | clear_errors) ? {5'd0, refused_busy} : (part_1 + {5'd0, refused_busy});
             void_1 <= clear_errors | (void_1 & ~visits_1);
@@ -1438,31 +1389,31 @@ module bus_registers (
             void_2 <= clear_errors | (void_2 & ~visits_2);
             part_3 <= (visits_3 | clear_errors) ? {5'd0, packet_error} : (part_3 + {5'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
-            part_4 <= (visits_4 | clear_errors) ? sum_13 : (part_4 + sum_13);
+            part_4 <= (visits_4 | clear_errors) ? part_4_sum : (part_4 + part_4_sum);
             void_4 <= clear_errors | (void_4 & ~visits_4);
             part_5 <= (visits_5 | start) ? {5'd0, busy} : (part_5 + {5'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? joined_15 : (part_6 + joined_15);
+            part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
             void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? joined_17 : (part_7 + joined_17);
+            part_7 <= (visits_7 | start) ? part_7_bits : (part_7 + part_7_bits);
             void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? joined_19 : (part_8 + joined_19);
+            part_8 <= (visits_8 | start) ? part_8_bits : (part_8 + part_8_bits);
             void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? joined_21 : (part_9 + joined_21);
+            part_9 <= (visits_9 | start) ? part_9_bits : (part_9 + part_9_bits);
             void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? joined_23 : (part_10 + joined_23);
+            part_10 <= (visits_10 | start) ? part_10_bits : (part_10 + part_10_bits);
             void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? joined_25 : (part_11 + joined_25);
+            part_11 <= (visits_11 | start) ? part_11_bits : (part_11 + part_11_bits);
             void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? joined_27 : (part_12 + joined_27);
+            part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? joined_29 : (part_13 + joined_29);
+            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
             void_13 <= start | (void_13 & ~visits_13);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
-            if (write_accepted & term_3) buffer_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_3) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & write_address_11_2_is_32) buffer_base_bits <= write_data[31:12];
             if (adds) begin
                 visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
@@ -1479,12 +1430,12 @@ module bus_registers (
         if (judges) write_is_okay <= write_accepted;
         uniform_address <= write_address[6:2];
         uniform_data <= write_data;
-        part <= visited[3] ? (visited[2] ? choice_30 : choice_31) : visited[2] ? choice_32 : choice_33;
-        is_void <= visited[3] ? choice_35 : visited[2] ? choice_36 : choice_37;
+        part <= visited[3] ? (visited[2] ? part_choice : part_choice_2) : visited[2] ? part_choice_3 : part_choice_4;
+        is_void <= visited[3] ? is_void_choice_2 : visited[2] ? is_void_choice_3 : is_void_choice_4;
         read_value <= saturated;
         if (read_ready) read_address <= s_axil_araddr;
         if (answers) begin
-            s_axil_rdata <= asks ? read_value : term_40;
+            s_axil_rdata <= asks ? read_value : (s_axil_rdata_either_3 & {32{~refused_read}});
             read_is_error <= refused_read;
         end
     end
@@ -1494,141 +1445,72 @@ module bus_registers (
     end
 
 `ifdef RTL_ASSERT
-    wire [7:0] sum_41 = {1'd0, part_0} + {1'd0, sum_12};
-    wire [6:0] sum_42 = {1'd0, part_1} + {6'd0, refused_busy};
-    wire [6:0] sum_43 = {1'd0, part_2} + {6'd0, burst_error};
-    wire [6:0] sum_44 = {1'd0, part_3} + {6'd0, packet_error};
-    wire [7:0] sum_45 = {1'd0, part_4} + {1'd0, sum_13};
-    wire [6:0] sum_46 = {1'd0, part_5} + {6'd0, busy};
-    wire [6:0] sum_47 = {1'd0, part_6} + {6'd0, term_14};
-    wire [6:0] sum_48 = {1'd0, part_7} + {6'd0, term_16};
-    wire [6:0] sum_49 = {1'd0, part_8} + {6'd0, term_18};
-    wire [6:0] sum_50 = {1'd0, part_9} + {6'd0, term_20};
-    wire [6:0] sum_51 = {1'd0, part_10} + {6'd0, term_22};
-    wire [6:0] sum_52 = {1'd0, part_11} + {6'd0, term_24};
-    wire [6:0] sum_53 = {1'd0, part_12} + {6'd0, term_26};
-    wire [6:0] sum_54 = {1'd0, part_13} + {6'd0, term_28};
+    wire [7:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
+    wire [6:0] part_1_plus_refused_busy = {1'd0, part_1} + {6'd0, refused_busy};
+    wire [6:0] part_2_plus_burst_error = {1'd0, part_2} + {6'd0, burst_error};
+    wire [6:0] part_3_plus_packet_error = {1'd0, part_3} + {6'd0, packet_error};
+    wire [7:0] part_4_plus_part_4_sum = {1'd0, part_4} + {1'd0, part_4_sum};
+    wire [6:0] part_5_plus_busy = {1'd0, part_5} + {6'd0, busy};
+    wire [6:0] check_sum = {1'd0, part_6} + {6'd0, packet_taken_and_busy};
+    wire [6:0] check_sum_2 = {1'd0, part_7} + {6'd0, packet_sent_and_busy};
+    wire [6:0] check_sum_3 = {1'd0, part_8} + {6'd0, event_sample_and_busy};
+    wire [6:0] check_sum_4 = {1'd0, part_9} + {6'd0, event_starved_and_busy};
+    wire [6:0] check_sum_5 = {1'd0, part_10} + {6'd0, event_blocked_and_busy};
+    wire [6:0] check_sum_6 = {1'd0, part_11} + {6'd0, event_accumulate_and_busy};
+    wire [6:0] check_sum_7 = {1'd0, part_12} + {6'd0, event_hazard_and_busy};
+    wire [6:0] check_sum_8 = {1'd0, part_13} + {6'd0, event_slot_wait_and_busy};
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~sum_41[7])) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                part_0_has_room: assert (0);
+        part_0_has_room: assert (~part_0_plus_part_0_sum[7]);
+        part_1_has_room: assert (~part_1_plus_refused_busy[6]);
+        part_2_has_room: assert (~part_2_plus_burst_error[6]);
+        part_3_has_room: assert (~part_3_plus_packet_error[6]);
+        part_4_has_room: assert (~part_4_plus_part_4_sum[7]);
+        part_5_has_room: assert (~part_5_plus_busy[6]);
+        part_6_has_room: assert (~check_sum[6]);
+        part_7_has_room: assert (~check_sum_2[6]);
+        part_8_has_room: assert (~check_sum_3[6]);
+        part_9_has_room: assert (~check_sum_4[6]);
+        part_10_has_room: assert (~check_sum_5[6]);
+        part_11_has_room: assert (~check_sum_6[6]);
+        part_12_has_room: assert (~check_sum_7[6]);
+        part_13_has_room: assert (~check_sum_8[6]);
 `else
-                $display("assertion failed: part_0_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_42[6])) begin
-`ifdef FORMAL
-                part_1_has_room: assert (0);
-`else
-                $display("assertion failed: part_1_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_43[6])) begin
-`ifdef FORMAL
-                part_2_has_room: assert (0);
-`else
-                $display("assertion failed: part_2_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_44[6])) begin
-`ifdef FORMAL
-                part_3_has_room: assert (0);
-`else
-                $display("assertion failed: part_3_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_45[7])) begin
-`ifdef FORMAL
-                part_4_has_room: assert (0);
-`else
-                $display("assertion failed: part_4_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_46[6])) begin
-`ifdef FORMAL
-                part_5_has_room: assert (0);
-`else
-                $display("assertion failed: part_5_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_47[6])) begin
-`ifdef FORMAL
-                part_6_has_room: assert (0);
-`else
-                $display("assertion failed: part_6_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_48[6])) begin
-`ifdef FORMAL
-                part_7_has_room: assert (0);
-`else
-                $display("assertion failed: part_7_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_49[6])) begin
-`ifdef FORMAL
-                part_8_has_room: assert (0);
-`else
-                $display("assertion failed: part_8_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_50[6])) begin
-`ifdef FORMAL
-                part_9_has_room: assert (0);
-`else
-                $display("assertion failed: part_9_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_51[6])) begin
-`ifdef FORMAL
-                part_10_has_room: assert (0);
-`else
-                $display("assertion failed: part_10_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_52[6])) begin
-`ifdef FORMAL
-                part_11_has_room: assert (0);
-`else
-                $display("assertion failed: part_11_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_53[6])) begin
-`ifdef FORMAL
-                part_12_has_room: assert (0);
-`else
-                $display("assertion failed: part_12_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_54[6])) begin
-`ifdef FORMAL
-                part_13_has_room: assert (0);
-`else
-                $display("assertion failed: part_13_has_room in %m");
-                $stop;
-`endif
-            end
+        if (!(~part_0_plus_part_0_sum[7])) begin
+            $display("assertion failed: part_0_has_room in %m"); $stop;
         end
+        if (!(~part_1_plus_refused_busy[6])) begin
+            $display("assertion failed: part_1_has_room in %m"); $stop;
+        end
+        if (!(~part_2_plus_burst_error[6])) begin
+            $display("assertion failed: part_2_has_room in %m"); $stop;
+        end
+        if (!(~part_3_plus_packet_error[6])) begin
+            $display("assertion failed: part_3_has_room in %m"); $stop;
+        end
+        if (!(~part_4_plus_part_4_sum[7])) begin
+            $display("assertion failed: part_4_has_room in %m"); $stop;
+        end
+        if (!(~part_5_plus_busy[6])) begin
+            $display("assertion failed: part_5_has_room in %m"); $stop;
+        end
+        if (!(~check_sum[6])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
+        if (!(~check_sum_2[6])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
+        if (!(~check_sum_3[6])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
+        if (!(~check_sum_4[6])) begin $display("assertion failed: part_9_has_room in %m"); $stop; end
+        if (!(~check_sum_5[6])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
+        if (!(~check_sum_6[6])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
+        if (!(~check_sum_7[6])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
+        if (!(~check_sum_8[6])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
+`endif
     end
 
     wire _unused_by_checks = &{
-        1'b0, sum_41[6:0], sum_42[5:0], sum_43[5:0], sum_44[5:0], sum_45[6:0], sum_46[5:0], sum_47[5:0],
-        sum_48[5:0], sum_49[5:0], sum_50[5:0], sum_51[5:0], sum_52[5:0], sum_53[5:0], sum_54[5:0]
+        1'b0, check_sum[5:0], check_sum_2[5:0], check_sum_3[5:0], check_sum_4[5:0], check_sum_5[5:0],
+        check_sum_6[5:0], check_sum_7[5:0], check_sum_8[5:0], part_0_plus_part_0_sum[6:0],
+        part_1_plus_refused_busy[5:0], part_2_plus_burst_error[5:0], part_3_plus_packet_error[5:0],
+        part_4_plus_part_4_sum[6:0], part_5_plus_busy[5:0]
     };
 `endif
 endmodule

@@ -3,8 +3,7 @@
 
 // Surface-splat renderer: splats in, normalized fragments out.
 module splat_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [31:0] uniform_data,  // Its new value.
@@ -290,8 +289,7 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk), .rst(rst),
-        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -304,8 +302,7 @@ module splat_top (
         .in_attribute_12(splat_attribute_12), .in_cardinal_0(splat_cardinal_0),
         .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
         .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
-        .m22(uniform_m22), .m23(uniform_m23),
-        .near_plane(uniform_near_plane),
+        .m22(uniform_m22), .m23(uniform_m23), .near_plane(uniform_near_plane),
         .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
         .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
         .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
@@ -322,20 +319,19 @@ module splat_top (
     );
 
     splat_setup setup (
-        .clk(clk), .rst(rst),
-        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
-        .in_attribute_3(transform_out_attribute_3), .in_attribute_4(transform_out_attribute_4),
-        .in_attribute_5(transform_out_attribute_5), .in_attribute_6(transform_out_attribute_6),
-        .in_attribute_7(transform_out_attribute_7), .in_attribute_8(transform_out_attribute_8),
-        .in_attribute_9(transform_out_attribute_9), .in_attribute_10(transform_out_attribute_10),
-        .in_attribute_11(transform_out_attribute_11), .in_attribute_12(transform_out_attribute_12),
-        .in_cardinal_0(transform_out_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(transform_out_valid), .in_ready(setup_in_ready),
+        .in_end(transform_out_end), .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y), .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x), .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z), .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y), .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2), .in_attribute_3(transform_out_attribute_3),
+        .in_attribute_4(transform_out_attribute_4), .in_attribute_5(transform_out_attribute_5),
+        .in_attribute_6(transform_out_attribute_6), .in_attribute_7(transform_out_attribute_7),
+        .in_attribute_8(transform_out_attribute_8), .in_attribute_9(transform_out_attribute_9),
+        .in_attribute_10(transform_out_attribute_10), .in_attribute_11(transform_out_attribute_11),
+        .in_attribute_12(transform_out_attribute_12), .in_cardinal_0(transform_out_cardinal_0),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
@@ -360,11 +356,10 @@ module splat_top (
     );
 
     splat_splitter splitter (
-        .clk(clk), .rst(rst),
-        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
+        .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
+        .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
         .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
         .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
         .in_attribute_2(setup_out_attribute_2), .in_attribute_3(setup_out_attribute_3),
@@ -393,10 +388,9 @@ module splat_top (
     );
 
     splat_reorder reorder (
-        .clk(clk), .rst(rst),
-        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
         .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
@@ -425,21 +419,20 @@ module splat_top (
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst),
-        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
-        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
-        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
-        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
-        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
-        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
-        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
+        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
+        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
+        .in_attribute_3(reorder_out_attribute_3), .in_attribute_4(reorder_out_attribute_4),
+        .in_attribute_5(reorder_out_attribute_5), .in_attribute_6(reorder_out_attribute_6),
+        .in_attribute_7(reorder_out_attribute_7), .in_attribute_8(reorder_out_attribute_8),
+        .in_attribute_9(reorder_out_attribute_9), .in_attribute_10(reorder_out_attribute_10),
+        .in_attribute_11(reorder_out_attribute_11), .in_attribute_12(reorder_out_attribute_12),
+        .in_cardinal_0(reorder_out_cardinal_0), .in_left(reorder_out_left), .in_right(reorder_out_right),
+        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -515,22 +508,21 @@ module splat_top (
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
-        .in_attribute_3(tile_cache_out_attribute_3), .in_attribute_4(tile_cache_out_attribute_4),
-        .in_attribute_5(tile_cache_out_attribute_5), .in_attribute_6(tile_cache_out_attribute_6),
-        .in_attribute_7(tile_cache_out_attribute_7), .in_attribute_8(tile_cache_out_attribute_8),
-        .in_attribute_9(tile_cache_out_attribute_9), .in_attribute_10(tile_cache_out_attribute_10),
-        .in_attribute_11(tile_cache_out_attribute_11), .in_attribute_12(tile_cache_out_attribute_12),
-        .in_cardinal_0(tile_cache_out_cardinal_0), .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
+        .in_attribute_4(tile_cache_out_attribute_4), .in_attribute_5(tile_cache_out_attribute_5),
+        .in_attribute_6(tile_cache_out_attribute_6), .in_attribute_7(tile_cache_out_attribute_7),
+        .in_attribute_8(tile_cache_out_attribute_8), .in_attribute_9(tile_cache_out_attribute_9),
+        .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
+        .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
+        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -549,18 +541,18 @@ module splat_top (
     );
 
     splat_weighting weighting (
-        .clk(clk), .rst(rst),
-        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
-        .in_attribute_2(rasterizer_out_attribute_2), .in_attribute_3(rasterizer_out_attribute_3),
-        .in_attribute_4(rasterizer_out_attribute_4), .in_attribute_5(rasterizer_out_attribute_5),
-        .in_attribute_6(rasterizer_out_attribute_6), .in_attribute_7(rasterizer_out_attribute_7),
-        .in_attribute_8(rasterizer_out_attribute_8), .in_attribute_9(rasterizer_out_attribute_9),
-        .in_attribute_10(rasterizer_out_attribute_10), .in_attribute_11(rasterizer_out_attribute_11),
-        .in_attribute_12(rasterizer_out_attribute_12), .in_cardinal_0(rasterizer_out_cardinal_0),
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
+        .in_attribute_3(rasterizer_out_attribute_3), .in_attribute_4(rasterizer_out_attribute_4),
+        .in_attribute_5(rasterizer_out_attribute_5), .in_attribute_6(rasterizer_out_attribute_6),
+        .in_attribute_7(rasterizer_out_attribute_7), .in_attribute_8(rasterizer_out_attribute_8),
+        .in_attribute_9(rasterizer_out_attribute_9), .in_attribute_10(rasterizer_out_attribute_10),
+        .in_attribute_11(rasterizer_out_attribute_11), .in_attribute_12(rasterizer_out_attribute_12),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
         .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
         .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
         .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
@@ -576,10 +568,9 @@ module splat_top (
     );
 
     splat_accumulator accumulator (
-        .clk(clk), .rst(rst),
-        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
-        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
         .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
@@ -618,9 +609,8 @@ module splat_top (
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
         .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
         .in_peak(tile_cache_pixel_peak), .in_attribute_0(tile_cache_pixel_attribute_0),
         .in_attribute_1(tile_cache_pixel_attribute_1), .in_attribute_2(tile_cache_pixel_attribute_2),
@@ -672,50 +662,49 @@ endmodule
 // latency = 39
 // initiation_interval = 1
 module splat_normalizer (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Pixels of a finished frame.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_peak,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [11:0] in_tile,  // Tile index.
+    input  wire [5:0] in_pixel,  // Pixel of the tile.
+    input  wire [27:0] in_weight,  // Sum of weights.
+    input  wire [51:0] in_depth,  // Sum of weighted depths.
+    input  wire [15:0] in_peak,  // The largest single weight, with cardinal attributes only.
+    input  wire [15:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_3,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_4,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_5,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_6,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_7,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_8,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_9,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_10,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire out_valid,  // Fragments.
     input  wire out_ready,
-    output wire out_end,
-    output wire [8:0] out_column,
-    output wire [8:0] out_row,
-    output wire [31:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire [8:0] out_column,  // Column of the image.
+    output wire [8:0] out_row,  // Row of the image.
+    output wire [31:0] out_depth,  // Depth in the geometry format.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [239:0] delay_28_from_0 [0:26];
@@ -725,7 +714,7 @@ module splat_normalizer (
     reg [239:0] delay_28_from_0_out;
     reg [5:0] delay_39_from_0_pointer;
     reg [34:0] delay_39_from_0_out;
-    reg [31:0] mul_23_d1, mul_23_d2, mul_23_d3;
+    reg [31:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [38:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -747,6 +736,25 @@ module splat_normalizer (
     wire [15:0] convert_f32_ftz_f16_unit_copy10_y, convert_f32_ftz_f16_unit_copy11_y;
     wire [15:0] convert_f32_ftz_f16_unit_copy12_y, convert_f32_ftz_f16_unit_copy13_y;
 
+    wire end_d39 = delay_39_from_0_out[0];
+    wire [8:0] column_out_d39 = delay_39_from_0_out[25:17];
+    wire [8:0] row_out_d39 = delay_39_from_0_out[34:26];
+    wire [15:0] cardinal_0_d39 = delay_39_from_0_out[16:1];
+    wire [31:0] depth_float_d28 = delay_28_from_0_out[31:0];
+    wire [15:0] attribute_0_d28 = delay_28_from_0_out[47:32];
+    wire [15:0] attribute_1_d28 = delay_28_from_0_out[63:48];
+    wire [15:0] attribute_2_d28 = delay_28_from_0_out[79:64];
+    wire [15:0] attribute_3_d28 = delay_28_from_0_out[95:80];
+    wire [15:0] attribute_4_d28 = delay_28_from_0_out[111:96];
+    wire [15:0] attribute_5_d28 = delay_28_from_0_out[127:112];
+    wire [15:0] attribute_6_d28 = delay_28_from_0_out[143:128];
+    wire [15:0] attribute_7_d28 = delay_28_from_0_out[159:144];
+    wire [15:0] attribute_8_d28 = delay_28_from_0_out[175:160];
+    wire [15:0] attribute_9_d28 = delay_28_from_0_out[191:176];
+    wire [15:0] attribute_10_d28 = delay_28_from_0_out[207:192];
+    wire [15:0] attribute_11_d28 = delay_28_from_0_out[223:208];
+    wire [15:0] attribute_12_d28 = delay_28_from_0_out[239:224];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {
@@ -756,15 +764,14 @@ module splat_normalizer (
     } = queue_out_data;
 
     stream_skid_w275 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[38]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[38]), .in_ready(queue_in_ready),
         .in_data({
-            delay_39_from_0_out[0], delay_39_from_0_out[25:17], delay_39_from_0_out[34:26], mul_23_d3,
-            convert_f32_ftz_f16_unit_y, convert_f32_ftz_f16_unit_copy2_y, convert_f32_ftz_f16_unit_copy3_y,
-            convert_f32_ftz_f16_unit_copy4_y, convert_f32_ftz_f16_unit_copy5_y, convert_f32_ftz_f16_unit_copy6_y,
-            convert_f32_ftz_f16_unit_copy7_y, convert_f32_ftz_f16_unit_copy8_y, convert_f32_ftz_f16_unit_copy9_y,
-            convert_f32_ftz_f16_unit_copy10_y, convert_f32_ftz_f16_unit_copy11_y,
-            convert_f32_ftz_f16_unit_copy12_y, convert_f32_ftz_f16_unit_copy13_y, delay_39_from_0_out[16:1]
+            end_d39, column_out_d39, row_out_d39, depth_out_d3, convert_f32_ftz_f16_unit_y,
+            convert_f32_ftz_f16_unit_copy2_y, convert_f32_ftz_f16_unit_copy3_y, convert_f32_ftz_f16_unit_copy4_y,
+            convert_f32_ftz_f16_unit_copy5_y, convert_f32_ftz_f16_unit_copy6_y, convert_f32_ftz_f16_unit_copy7_y,
+            convert_f32_ftz_f16_unit_copy8_y, convert_f32_ftz_f16_unit_copy9_y, convert_f32_ftz_f16_unit_copy10_y,
+            convert_f32_ftz_f16_unit_copy11_y, convert_f32_ftz_f16_unit_copy12_y,
+            convert_f32_ftz_f16_unit_copy13_y, cardinal_0_d39
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -782,7 +789,7 @@ module splat_normalizer (
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(delay_28_from_0_out[31:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(depth_float_d28),
         .y(mul_f32_ftz_unit_y)
     );
 
@@ -852,67 +859,55 @@ module splat_normalizer (
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[47:32]), .y(convert_f16_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_0_d28), .y(convert_f16_f32_ftz_unit_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[63:48]),
-        .y(convert_f16_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_1_d28), .y(convert_f16_f32_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[79:64]),
-        .y(convert_f16_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_2_d28), .y(convert_f16_f32_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[95:80]),
-        .y(convert_f16_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_3_d28), .y(convert_f16_f32_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[111:96]),
-        .y(convert_f16_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_4_d28), .y(convert_f16_f32_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[127:112]),
-        .y(convert_f16_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_5_d28), .y(convert_f16_f32_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[143:128]),
-        .y(convert_f16_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_6_d28), .y(convert_f16_f32_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[159:144]),
-        .y(convert_f16_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_7_d28), .y(convert_f16_f32_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[175:160]),
-        .y(convert_f16_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_8_d28), .y(convert_f16_f32_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[191:176]),
-        .y(convert_f16_f32_ftz_unit_copy10_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_9_d28), .y(convert_f16_f32_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[207:192]),
-        .y(convert_f16_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_10_d28), .y(convert_f16_f32_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[223:208]),
-        .y(convert_f16_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_11_d28), .y(convert_f16_f32_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_28_from_0_out[239:224]),
-        .y(convert_f16_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_12_d28), .y(convert_f16_f32_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit (
@@ -992,9 +987,9 @@ module splat_normalizer (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            mul_23_d1 <= mul_f32_ftz_unit_y;
-            mul_23_d2 <= mul_23_d1;
-            mul_23_d3 <= mul_23_d2;
+            depth_out_d1 <= mul_f32_ftz_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
         end
     end
     always @(posedge clk) begin
@@ -1022,9 +1017,7 @@ endmodule
 // from = f32-ftz
 // to = f16
 module float_convert_s3_f32ftz_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [15:0] y
 );
     reg [9:0] distance_s1;
@@ -1033,28 +1026,29 @@ module float_convert_s3_f32ftz_f16 (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [7:0] a_field = a[30:23];
-    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
-    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [9:0] a_field_plus_912 = {2'd0, a_field} + 10'd912;
+    wire exponent_s1_either = a_field_plus_912[9] | (a_field_plus_912 == 10'd0);
     wire [22:0] a_fraction = a[22:0];
-    wire [22:0] term_3 = a_fraction & {23{|a_field}};
-    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
-    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
-    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
-    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
-    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
+    wire [22:0] significand_s1_both = a_fraction & {23{|a_field}};
+    wire [12:0] significand_s2_choice = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
+    wire [12:0] significand_s2_choice_2 = distance_s1[2] ? (significand_s2_choice >> 4) : significand_s2_choice;
+    wire [12:0] significand_s2_choice_3 = distance_s1[1] ? (significand_s2_choice_2 >> 2) : significand_s2_choice_2;
+    wire [12:0] significand_s2_choice_4 = distance_s1[0] ? (significand_s2_choice_3 >> 1) : significand_s2_choice_3;
+    wire significand_s2_either = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |significand_s2_choice[3:0]);
+    wire significand_s2_either_2 = significand_s2_either | (distance_s1[1] & |significand_s2_choice_2[1:0]);
+    wire significand_s2_either_3 = significand_s2_either_2 | (distance_s1[0] & significand_s2_choice_3[0]);
+    wire [12:0] significand_s2_bits = {significand_s2_choice_4[12:1], significand_s2_choice_4[0] | significand_s2_either_3};
+    wire [14:0] rounded_bits = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [14:0] rounded = joined_11 + {14'd0, round_up};
-    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
-            significand_s1 <= {|a_field, term_3[22:12], |term_3[11:0]};
-            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
-            exponent_s1 <= term_2 ? 10'd1 : sum_1;
+            distance_s1 <= (10'd1 - a_field_plus_912) & {10{exponent_s1_either}};
+            significand_s1 <= {|a_field, significand_s1_both[22:12], |significand_s1_both[11:0]};
+            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : significand_s2_bits;
+            exponent_s1 <= exponent_s1_either ? 10'd1 : a_field_plus_912;
             exponent_s2 <= exponent_s1;
             sign_s1 <= a[31];
             sign_s2 <= sign_s1;
@@ -1064,7 +1058,7 @@ module float_convert_s3_f32ftz_f16 (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 16'h7e00 : joined_12;
+            y <= nan_s2 ? 16'h7e00 : {sign_s2, zero_s2 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -1074,9 +1068,7 @@ endmodule
 // from = f16
 // to = f32-ftz
 module float_convert_s3_f16_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [31:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -1087,28 +1079,31 @@ module float_convert_s3_f16_f32ftz (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
-    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
-    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
-    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
+    wire [7:0] a_exponent_s1_minus_a_zeros_s1 = a_exponent_s1 - {4'd0, a_zeros_s1};
+    wire [9:0] exponent_s2_bits = {{2{a_exponent_s1_minus_a_zeros_s1[7]}}, a_exponent_s1_minus_a_zeros_s1};
+    wire y_both = (exponent_s2 == 10'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 31'd0 : term_11 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s2 | ((exponent_s2[9] | y_both) & ~infinite_s2)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
+            exponent_s2 <= exponent_s2_bits + 10'd112;
             significand_s2 <= {a_significand_s1 << a_zeros_s1, 15'd0};
             sign_s1 <= a[15];
             sign_s2 <= sign_s1;
@@ -1118,7 +1113,7 @@ module float_convert_s3_f16_f32ftz (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field | |a_fraction);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 32'h7fc00000 : {sign_s2, choice_12};
+            y <= nan_s2 ? 32'h7fc00000 : {sign_s2, y_choice_2};
         end
     end
 
@@ -1132,9 +1127,7 @@ endmodule
 // fraction = 40
 // integer = unsigned
 module float_from_fixed_s3_f32ftz_w52_f40_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [51:0] a,
+    input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [31:0] y
 );
     reg [51:0] magnitude_s1;
@@ -1143,59 +1136,61 @@ module float_from_fixed_s3_f32ftz_w52_f40_unsigned (
     reg [25:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[51] & ~a[50];
-    wire term_2 = term_1 & (~a[49] & ~a[48]);
-    wire term_3 = ~a[47] & ~a[46];
-    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
-    wire term_5 = ~a[43] & ~a[42];
-    wire term_6 = term_5 & (~a[41] & ~a[40]);
-    wire term_7 = ~a[39] & ~a[38];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
-    wire term_9 = ~a[35] & ~a[34];
-    wire term_10 = term_9 & (~a[33] & ~a[32]);
-    wire term_11 = ~a[31] & ~a[30];
-    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
-    wire term_13 = ~a[27] & ~a[26];
-    wire term_14 = term_13 & (~a[25] & ~a[24]);
-    wire term_15 = ~a[23] & ~a[22];
-    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
-    wire term_17 = ~a[19] & ~a[18];
-    wire term_18 = term_17 & (~a[17] & ~a[16]);
-    wire term_19 = ~a[15] & ~a[14];
-    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
-    wire term_21 = ~a[11] & ~a[10];
-    wire term_22 = term_21 & (~a[9] & ~a[8]);
-    wire term_23 = ~a[7] & ~a[6];
-    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
-    wire term_25 = ~a[3] & ~a[2];
-    wire term_26 = term_25 & (~a[1] & ~a[0]);
-    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
-    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
-    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
-    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
-    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
-    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
-    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
-    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
-    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
-    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
-    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
+    wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
+    wire not_a_47_and_not_a_46 = ~a[47] & ~a[46];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_47_and_not_a_46 & (~a[45] & ~a[44]));
+    wire not_a_43_and_not_a_42 = ~a[43] & ~a[42];
+    wire zeros_s1_both_3 = not_a_43_and_not_a_42 & (~a[41] & ~a[40]);
+    wire not_a_39_and_not_a_38 = ~a[39] & ~a[38];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_39_and_not_a_38 & (~a[37] & ~a[36])));
+    wire not_a_35_and_not_a_34 = ~a[35] & ~a[34];
+    wire zeros_s1_both_5 = not_a_35_and_not_a_34 & (~a[33] & ~a[32]);
+    wire not_a_31_and_not_a_30 = ~a[31] & ~a[30];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_31_and_not_a_30 & (~a[29] & ~a[28]));
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both_7 = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_8 = zeros_s1_both_6 & (zeros_s1_both_7 & (not_a_23_and_not_a_22 & (~a[21] & ~a[20])));
+    wire zeros_s1_both_9 = zeros_s1_both_4 & zeros_s1_both_8;
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_10 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_11 = zeros_s1_both_10 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12]));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_12 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_13 = zeros_s1_both_11 & (zeros_s1_both_12 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4])));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_14 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_14 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_12 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [1:0] zeros_s1_choice_3 = zeros_s1_both_10 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [2:0] zeros_s1_choice_4 = zeros_s1_both_11 ? {zeros_s1_both_12, zeros_s1_choice_2} : {zeros_s1_both_10, zeros_s1_choice_3};
+    wire [3:0] zeros_s1_choice_5 = zeros_s1_both_13 ? {1'd0, zeros_s1_both_14, zeros_s1_choice} : {zeros_s1_both_11, zeros_s1_choice_4};
+    wire [1:0] zeros_s1_choice_6 = zeros_s1_both_7 ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [1:0] zeros_s1_choice_7 = zeros_s1_both_5 ? {not_a_31_and_not_a_30, not_a_31_and_not_a_30 ? ~a[29] : ~a[31]} : {not_a_35_and_not_a_34, not_a_35_and_not_a_34 ? ~a[33] : ~a[35]};
+    wire [2:0] zeros_s1_choice_8 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice_6} : {zeros_s1_both_5, zeros_s1_choice_7};
+    wire [1:0] zeros_s1_choice_9 = zeros_s1_both_3 ? {not_a_39_and_not_a_38, not_a_39_and_not_a_38 ? ~a[37] : ~a[39]} : {not_a_43_and_not_a_42, not_a_43_and_not_a_42 ? ~a[41] : ~a[43]};
+    wire [1:0] zeros_s1_choice_10 = zeros_s1_both ? {not_a_47_and_not_a_46, not_a_47_and_not_a_46 ? ~a[45] : ~a[47]} : {not_a_51_and_not_a_50, not_a_51_and_not_a_50 ? ~a[49] : ~a[51]};
+    wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
+    wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
+    wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
+    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
-    wire [30:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 31'd0 : choice_40;
+    wire [30:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_16, choice_37};
+            zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
             exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {shifted_38[51:27], |shifted_38[26:0]};
+            significand_s2 <= {significand_s2_shifted[51:27], |significand_s2_shifted[26:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_41};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 31'd0 : y_choice};
         end
     end
 
@@ -1209,9 +1204,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s3_f32ftz_w28_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [27:0] a,
+    input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [31:0] y
 );
     reg [27:0] magnitude_s1;
@@ -1220,42 +1213,42 @@ module float_from_fixed_s3_f32ftz_w28_f16_unsigned (
     reg [25:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[27] & ~a[26];
-    wire term_2 = term_1 & (~a[25] & ~a[24]);
-    wire term_3 = ~a[23] & ~a[22];
-    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
-    wire term_5 = ~a[19] & ~a[18];
-    wire term_6 = term_5 & (~a[17] & ~a[16]);
-    wire term_7 = ~a[15] & ~a[14];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
-    wire term_9 = ~a[11] & ~a[10];
-    wire term_10 = term_9 & (~a[9] & ~a[8]);
-    wire term_11 = ~a[7] & ~a[6];
-    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
-    wire term_13 = ~a[3] & ~a[2];
-    wire term_14 = term_13 & (~a[1] & ~a[0]);
-    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
-    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
-    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
-    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
-    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
-    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_23_and_not_a_22 & (~a[21] & ~a[20]));
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_3 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12])));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_5 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4]));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_7 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_7 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_5 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [2:0] zeros_s1_choice_3 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice} : {zeros_s1_both_5, zeros_s1_choice_2};
+    wire [1:0] zeros_s1_choice_4 = zeros_s1_both_3 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
+    wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
+    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
-    wire [30:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 31'd0 : choice_23;
+    wire [30:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_8, choice_20};
+            zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
             exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {shifted_21[27:3], |shifted_21[2:0]};
+            significand_s2 <= {significand_s2_shifted[27:3], |significand_s2_shifted[2:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_24};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 31'd0 : y_choice};
         end
     end
 
@@ -1265,14 +1258,9 @@ endmodule
 // Queue of two in registers.
 // width = 275
 module stream_skid_w275 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [274:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [274:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [274:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [274:0] out_data
 );
     reg second_valid;
     reg [274:0] head, second;
@@ -1298,17 +1286,14 @@ module stream_skid_w275 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1317,8 +1302,7 @@ endmodule
 // slots = 4
 // stages = 7
 module splat_accumulator (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Samples with their contributions.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -1416,15 +1400,30 @@ module splat_accumulator (
     reg valid_8, inside_8, last_8;
     reg [1:0] slot_8;
     reg [5:0] pixel_8;
-    reg head_valid, head_end, head_last, head_inside;
-    reg [1:0] head_slot;
-    reg [5:0] head_pixel;
-    reg [15:0] head_weight;
-    reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
-    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
-    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg head_last;  // Closes its copy.
+    reg head_inside;  // Lies inside the splat.
+    reg [1:0] head_slot;  // Slot of the tile cache.
+    reg [5:0] head_pixel;  // Pixel of the tile.
+    reg [15:0] head_weight;  // Kernel weight.
+    reg [39:0] head_weighted_depth;  // Weighted depth.
+    reg [23:0] head_depth_low;  // Near end of the depth band.
+    reg [23:0] head_depth_high;  // Far end of the depth band.
+    reg [15:0] head_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
     wire [319:0] slot_0_read;
@@ -1436,25 +1435,60 @@ module splat_accumulator (
     wire [319:0] slot_3_read;
     reg [319:0] slot_3_pixel, stored;
     reg [1:0] drained_slot;
-    reg [15:0] sample_1_weight;
-    reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low, sample_1_depth_high;
-    reg [15:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2, sample_1_attribute_3;
-    reg [15:0] sample_1_attribute_4, sample_1_attribute_5, sample_1_attribute_6, sample_1_attribute_7;
-    reg [15:0] sample_1_attribute_8, sample_1_attribute_9, sample_1_attribute_10, sample_1_attribute_11;
-    reg [15:0] sample_1_attribute_12, sample_1_cardinal_0, sample_2_weight;
-    reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low, sample_2_depth_high;
-    reg [15:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2, sample_2_attribute_3;
-    reg [15:0] sample_2_attribute_4, sample_2_attribute_5, sample_2_attribute_6, sample_2_attribute_7;
-    reg [15:0] sample_2_attribute_8, sample_2_attribute_9, sample_2_attribute_10, sample_2_attribute_11;
-    reg [15:0] sample_2_attribute_12, sample_2_cardinal_0, sample_3_weight;
-    reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low, sample_3_depth_high;
-    reg [15:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2, sample_3_attribute_3;
-    reg [15:0] sample_3_attribute_4, sample_3_attribute_5, sample_3_attribute_6, sample_3_attribute_7;
-    reg [15:0] sample_3_attribute_8, sample_3_attribute_9, sample_3_attribute_10, sample_3_attribute_11;
-    reg [15:0] sample_3_attribute_12, sample_3_cardinal_0;
+    reg [15:0] sample_1_weight;  // Kernel weight.
+    reg [39:0] sample_1_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_1_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_1_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_1_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_weight;  // Kernel weight.
+    reg [39:0] sample_2_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_2_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_2_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_2_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_weight;  // Kernel weight.
+    reg [39:0] sample_3_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_3_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_3_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_3_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_3;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_4;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_5;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_6;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_7;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_8;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_9;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_10;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_11;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_12;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_cardinal_0;  // Weighted continuous attributes, and cardinal ones as they are.
     reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
     reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
     reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
@@ -1488,7 +1522,7 @@ module splat_accumulator (
     wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
     wire filling_0 = fill_valid & (fill_slot == 2'd0);
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] joined_1 = {
+    wire [319:0] slot_3_pixels_data_bits = {
         fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
         fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
         fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
@@ -1496,66 +1530,58 @@ module splat_accumulator (
     };
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_2 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_3 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_2};
+    wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_4 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_5 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_4};
+    wire [15:0] result_bits_2 = {add_attribute_1_y[15], overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0]};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_6 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_7 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_6};
+    wire [15:0] result_bits_3 = {add_attribute_2_y[15], overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0]};
     wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
-    wire [14:0] choice_8 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
-    wire [15:0] choice_9 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_8};
+    wire [15:0] result_bits_4 = {add_attribute_3_y[15], overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0]};
     wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
-    wire [14:0] choice_10 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
-    wire [15:0] choice_11 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_10};
+    wire [15:0] result_bits_5 = {add_attribute_4_y[15], overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0]};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
-    wire [14:0] choice_12 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
-    wire [15:0] choice_13 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_12};
+    wire [15:0] result_bits_6 = {add_attribute_5_y[15], overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0]};
     wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [14:0] choice_14 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
-    wire [15:0] choice_15 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_14};
+    wire [15:0] result_bits_7 = {add_attribute_6_y[15], overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0]};
     wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [14:0] choice_16 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
-    wire [15:0] choice_17 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_16};
+    wire [15:0] result_bits_8 = {add_attribute_7_y[15], overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0]};
     wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [14:0] choice_18 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
-    wire [15:0] choice_19 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_18};
+    wire [15:0] result_bits_9 = {add_attribute_8_y[15], overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0]};
     wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [14:0] choice_20 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
-    wire [15:0] choice_21 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_20};
+    wire [15:0] result_bits_10 = {add_attribute_9_y[15], overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0]};
     wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [14:0] choice_22 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
-    wire [15:0] choice_23 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_22};
+    wire [15:0] result_bits_11 = {add_attribute_10_y[15], overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0]};
     wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [14:0] choice_24 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
-    wire [15:0] choice_25 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_24};
+    wire [15:0] result_bits_12 = {add_attribute_11_y[15], overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0]};
     wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [14:0] choice_26 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
-    wire [15:0] choice_27 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_26};
+    wire [15:0] result_bits_13 = {add_attribute_12_y[15], overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0]};
     wire [319:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        selected ? weight_8 : peak_8, choice_3, choice_5, choice_7, choice_9, choice_11, choice_13, choice_15,
-        choice_17, choice_19, choice_21, choice_23, choice_25, choice_27,
+        selected ? weight_8 : peak_8, late_pass_5 ? attribute_0_8 : result_bits,
+        late_pass_5 ? attribute_1_8 : result_bits_2, late_pass_5 ? attribute_2_8 : result_bits_3,
+        late_pass_5 ? attribute_3_8 : result_bits_4, late_pass_5 ? attribute_4_8 : result_bits_5,
+        late_pass_5 ? attribute_5_8 : result_bits_6, late_pass_5 ? attribute_6_8 : result_bits_7,
+        late_pass_5 ? attribute_7_8 : result_bits_8, late_pass_5 ? attribute_8_8 : result_bits_9,
+        late_pass_5 ? attribute_9_8 : result_bits_10, late_pass_5 ? attribute_10_8 : result_bits_11,
+        late_pass_5 ? attribute_11_8 : result_bits_12, late_pass_5 ? attribute_12_8 : result_bits_13,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire term_28 = head_valid & ~head_end;
-    wire may_issue_inside = term_28 & head_inside;
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_29 = drain_enable & (drain_slot == 2'd0);
+    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 2'd0);
     wire filling_1 = fill_valid & (fill_slot == 2'd1);
-    wire term_30 = drain_enable & (drain_slot == 2'd1);
+    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 2'd1);
     wire filling_2 = fill_valid & (fill_slot == 2'd2);
-    wire term_31 = drain_enable & (drain_slot == 2'd2);
+    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 2'd2);
     wire filling_3 = fill_valid & (fill_slot == 2'd3);
-    wire term_32 = drain_enable & (drain_slot == 2'd3);
+    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 2'd3);
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_28 & ~(slot_wait | hazard);
-    wire term_33 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_33 | valid_7 | valid_8);
+    wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
+    wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
+    wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire places_out_end = places_out_data[10];
     wire places_out_last = places_out_data[9];
@@ -1580,18 +1606,18 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
-    wire term_34 = head_valid & (head_inside & ~head_end) & (places_out_data[7:0] == {head_slot, head_pixel});
-    wire [7:0] joined_35 = {
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[7:0] == {head_slot, head_pixel});
+    wire [7:0] collisions_bits = {
         inside_7 & (places_out_data[7:0] == {slot_7, pixel_7}),
         inside_6 & (places_out_data[7:0] == {slot_6, pixel_6}),
         inside_5 & (places_out_data[7:0] == {slot_5, pixel_5}),
         inside_4 & (places_out_data[7:0] == {slot_4, pixel_4}),
         inside_3 & (places_out_data[7:0] == {slot_3, pixel_3}),
         inside_2 & (places_out_data[7:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[7:0] == {slot_1, pixel_1}), term_34
+        inside_1 & (places_out_data[7:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [3:0] shifted_36 = slot_ready >> places_out_slot;
-    wire [3:0] shifted_37 = slot_ready >> head_slot;
+    wire [3:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [3:0] arrived_shifted_2 = slot_ready >> head_slot;
 
     assign in_ready = places_in_ready;
     assign {
@@ -1602,47 +1628,45 @@ module splat_accumulator (
     } = drained;
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
-        .clk(clk),
-        .write(filling_0 | (writes & (slot_8 == 2'd0))), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? joined_1 : result),
-        .read(slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_29),
+        .clk(clk), .write(filling_0 | (writes & (slot_8 == 2'd0))),
+        .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
-        .clk(clk),
-        .write(filling_1 | (writes & (slot_8 == 2'd1))), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? joined_1 : result),
-        .read(slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_30),
+        .clk(clk), .write(filling_1 | (writes & (slot_8 == 2'd1))),
+        .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : slot_1_pixel_enable_both),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_2_pixels (
-        .clk(clk),
-        .write(filling_2 | (writes & (slot_8 == 2'd2))), .write_address(filling_2 ? fill_pixel : pixel_8),
-        .write_data(filling_2 ? joined_1 : result),
-        .read(slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_31),
+        .clk(clk), .write(filling_2 | (writes & (slot_8 == 2'd2))),
+        .write_address(filling_2 ? fill_pixel : pixel_8),
+        .write_data(filling_2 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : slot_2_pixel_enable_both),
         .read_address(slot_ready[2] ? head_pixel : drain_pixel), .read_data(slot_2_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_3_pixels (
-        .clk(clk),
-        .write(filling_3 | (writes & (slot_8 == 2'd3))), .write_address(filling_3 ? fill_pixel : pixel_8),
-        .write_data(filling_3 ? joined_1 : result),
-        .read(slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_32),
+        .clk(clk), .write(filling_3 | (writes & (slot_8 == 2'd3))),
+        .write_address(filling_3 ? fill_pixel : pixel_8),
+        .write_data(filling_3 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : slot_3_pixel_enable_both),
         .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
     );
 
     stream_fifo_d64_w11_distributed places (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w328 samples (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
             in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
             in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7,
@@ -1652,8 +1676,8 @@ module splat_accumulator (
     );
 
     splat_depth_test depth_test (
-        .clk(clk), .rst(rst), .weight(stored[319:292]),
-        .depth(stored[291:240]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .clk(clk), .rst(rst), .weight(stored[319:292]), .depth(stored[291:240]),
+        .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
@@ -1784,8 +1808,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_35 : (collisions << 1);
-        arrived <= head_takes ? shifted_36[0] : shifted_37[0];
+        collisions <= head_takes ? collisions_bits : (collisions << 1);
+        arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
         stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -1975,27 +1999,24 @@ module splat_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | term_29) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | term_30) slot_1_pixel <= slot_1_read;
-        if (slot_ready[2] | term_31) slot_2_pixel <= slot_2_read;
-        if (slot_ready[3] | term_32) slot_3_pixel <= slot_3_read;
+        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | slot_1_pixel_enable_both) slot_1_pixel <= slot_1_read;
+        if (slot_ready[2] | slot_2_pixel_enable_both) slot_2_pixel <= slot_2_read;
+        if (slot_ready[3] | slot_3_pixel_enable_both) slot_3_pixel <= slot_3_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_36[3:1], shifted_37[3:1]};
+    wire _unused = &{1'b0, arrived_shifted[3:1], arrived_shifted_2[3:1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(places_out_valid == samples_out_valid)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                queues_move_together: assert (0);
+        queues_move_together: assert (places_out_valid == samples_out_valid);
 `else
-                $display("assertion failed: queues_move_together in %m");
-                $stop;
-`endif
-            end
+        if (!(places_out_valid == samples_out_valid)) begin
+            $display("assertion failed: queues_move_together in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2004,10 +2025,7 @@ endmodule
 // stages = 5
 // format = f16
 module float_add_s5_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [7:0] distance_s1;
@@ -2024,82 +2042,86 @@ module float_add_s5_f16 (
 
     wire swap = a[14:0] < b[14:0];
     wire [4:0] b_field = b[14:10];
-    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
+    wire [7:0] distance_s1_bits = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
     wire [4:0] a_field = a[14:10];
-    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
+    wire [7:0] distance_s1_bits_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
     wire [9:0] b_fraction = b[9:0];
-    wire [10:0] joined_3 = {|b_field, b_fraction};
+    wire [10:0] large_s1_bits = {|b_field, b_fraction};
     wire [9:0] a_fraction = a[9:0];
-    wire [10:0] joined_4 = {|a_field, a_fraction};
-    wire term_5 = a[15] ^ b[15];
-    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
-    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
-    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
-    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
-    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
-    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
-    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
-    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
-    wire term_14 = &a_field & (a_fraction == 10'd0);
-    wire term_15 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] term_16 = sum_s2 | stop_s2;
-    wire term_17 = ~term_16[14] & ~term_16[13];
-    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
-    wire term_19 = ~term_16[10] & ~term_16[9];
-    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
-    wire term_21 = ~term_16[6] & ~term_16[5];
-    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
-    wire term_23 = ~term_16[2] & ~term_16[1];
-    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
-    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
-    wire [14:0] shifted_26 = value_s3 << zeros_s3;
-    wire term_27 = sum_s2 == 15'd0;
-    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire [10:0] large_s1_bits_2 = {|a_field, a_fraction};
+    wire a_15_xor_b_15 = a[15] ^ b[15];
+    wire [13:0] sum_s2_choice = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
+    wire [13:0] sum_s2_choice_2 = distance_s1[2] ? (sum_s2_choice >> 4) : sum_s2_choice;
+    wire [13:0] sum_s2_choice_3 = distance_s1[1] ? (sum_s2_choice_2 >> 2) : sum_s2_choice_2;
+    wire [13:0] sum_s2_choice_4 = distance_s1[0] ? (sum_s2_choice_3 >> 1) : sum_s2_choice_3;
+    wire sum_s2_either = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |sum_s2_choice[3:0]);
+    wire sum_s2_either_2 = sum_s2_either | (distance_s1[1] & |sum_s2_choice_2[1:0]) | (distance_s1[0] & sum_s2_choice_3[0]);
+    wire [13:0] sum_s2_choice_5 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {sum_s2_choice_4[13:1], sum_s2_choice_4[0] | sum_s2_either_2};
+    wire [15:0] sum_s2_sum = {1'd0, large_s1, 4'd1} + {{1'd0, sum_s2_choice_5} ^ {15{subtract_s1}}, subtract_s1};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] sum_s2_or_stop_s2 = sum_s2 | stop_s2;
+    wire zeros_s3_both = ~sum_s2_or_stop_s2[14] & ~sum_s2_or_stop_s2[13];
+    wire zeros_s3_both_2 = zeros_s3_both & (~sum_s2_or_stop_s2[12] & ~sum_s2_or_stop_s2[11]);
+    wire zeros_s3_both_3 = ~sum_s2_or_stop_s2[10] & ~sum_s2_or_stop_s2[9];
+    wire zeros_s3_both_4 = zeros_s3_both_3 & (~sum_s2_or_stop_s2[8] & ~sum_s2_or_stop_s2[7]);
+    wire zeros_s3_both_5 = zeros_s3_both_2 & zeros_s3_both_4;
+    wire zeros_s3_both_6 = ~sum_s2_or_stop_s2[6] & ~sum_s2_or_stop_s2[5];
+    wire zeros_s3_both_7 = zeros_s3_both_6 & (~sum_s2_or_stop_s2[4] & ~sum_s2_or_stop_s2[3]);
+    wire zeros_s3_both_8 = ~sum_s2_or_stop_s2[2] & ~sum_s2_or_stop_s2[1];
+    wire [1:0] zeros_s3_bits = {zeros_s3_both_8, zeros_s3_both_8 ? ~sum_s2_or_stop_s2[0] : ~sum_s2_or_stop_s2[2]};
+    wire [1:0] zeros_s3_bits_2 = {zeros_s3_both_6, zeros_s3_both_6 ? ~sum_s2_or_stop_s2[4] : ~sum_s2_or_stop_s2[6]};
+    wire [2:0] zeros_s3_bits_3 = {zeros_s3_both_7, zeros_s3_both_7 ? zeros_s3_bits : zeros_s3_bits_2};
+    wire [1:0] zeros_s3_bits_4 = {zeros_s3_both_3, zeros_s3_both_3 ? ~sum_s2_or_stop_s2[8] : ~sum_s2_or_stop_s2[10]};
+    wire [1:0] zeros_s3_bits_5 = {zeros_s3_both, zeros_s3_both ? ~sum_s2_or_stop_s2[12] : ~sum_s2_or_stop_s2[14]};
+    wire [2:0] zeros_s3_bits_6 = {zeros_s3_both_2, zeros_s3_both_2 ? zeros_s3_bits_4 : zeros_s3_bits_5};
+    wire [14:0] value_s3_shifted_by_zeros_s3 = value_s3 << zeros_s3;
+    wire sum_s2_is_0 = sum_s2 == 15'd0;
+    wire [14:0] rounded_bits = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
-    wire [14:0] rounded = joined_28 + {14'd0, round_up};
-    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
-            large_s1 <= swap ? joined_3 : joined_4;
-            small_s1 <= swap ? joined_4 : joined_3;
-            limit_s1 <= swap ? joined_1 : joined_2;
-            subtract_s1 <= term_5;
-            sum_s2 <= sum_13[15:1];
+            distance_s1 <= swap ? (distance_s1_bits - distance_s1_bits_2) : (distance_s1_bits_2 - distance_s1_bits);
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            limit_s1 <= swap ? distance_s1_bits : distance_s1_bits_2;
+            subtract_s1 <= a_15_xor_b_15;
+            sum_s2 <= sum_s2_sum[15:1];
             stop_s2 <= 15'h4000 >> limit_s1;
             sign_s1 <= swap ? b[15] : a[15];
             sign_s2 <= sign_s1;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_15_xor_b_15);
             nan_s2 <= nan_s1;
-            infinite_s1 <= term_14 | term_15;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             subtract_s2 <= subtract_s1;
             value_s3 <= sum_s2;
-            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
+            zeros_s3 <= {zeros_s3_both_5, zeros_s3_both_5 ? zeros_s3_bits_3 : zeros_s3_bits_6};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
-            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
-            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
+            significand_s4 <= {value_s3_shifted_by_zeros_s3[14:3], |value_s3_shifted_by_zeros_s3[2:0]};
+            sign_s3 <= sign_s2 & ~(sum_s2_is_0 & subtract_s2);
             sign_s4 <= sign_s3;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s3 <= term_27 & ~infinite_s2;
+            zero_s3 <= sum_s2_is_0 & ~infinite_s2;
             zero_s4 <= zero_s3;
-            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
+            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[7:5], sum_13[0]};
+    wire _unused = &{1'b0, distance_s1[7:5], sum_s2_sum[0]};
 endmodule
 
 // Compares a pixel's normalized depth with a splat's depth band.
 module splat_depth_test (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire [27:0] weight,  // The pixel's sum of weights.
     input  wire [51:0] depth,  // The pixel's sum of weighted depths.
     input  wire [23:0] depth_low,  // Near end of the sample's depth band.
@@ -2113,8 +2135,8 @@ module splat_depth_test (
     reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
-    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
-    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+    wire [51:0] low_bound_either = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] high_bound_either = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2132,12 +2154,12 @@ module splat_depth_test (
         low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
         low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
         low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
-        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        low_bound <= low_bound_either + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
         high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
         high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
         high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
         high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
-        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+        high_bound <= high_bound_either + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
     end
 endmodule
 
@@ -2145,14 +2167,9 @@ endmodule
 // depth = 64
 // width = 328
 module stream_fifo_d64_w328 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [327:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [327:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [327:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [327:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -2167,8 +2184,7 @@ module stream_fifo_d64_w328 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(328), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2189,25 +2205,16 @@ module stream_fifo_d64_w328 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2217,14 +2224,9 @@ endmodule
 // width = 11
 // storage = distributed
 module stream_fifo_d64_w11_distributed (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [10:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [10:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [10:0] entries [0:63];
@@ -2261,25 +2263,16 @@ module stream_fifo_d64_w11_distributed (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2288,58 +2281,57 @@ endmodule
 // latency = 10
 // initiation_interval = 1
 module splat_weighting (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Samples.
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire [1:0] in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire in_last,  // Closes its copy.
+    input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    input  wire [1:0] in_slot,  // Slot of the tile cache.
+    input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
+    input  wire [15:0] in_weight,  // Kernel weight.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    output wire out_valid,  // Samples with their contributions.
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire [1:0] out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire out_last,  // Closes its copy.
+    output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    output wire [1:0] out_slot,  // Slot of the tile cache.
+    output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
+    output wire [15:0] out_weight,  // Kernel weight.
+    output wire [39:0] out_weighted_depth,  // Weighted depth.
+    output wire [23:0] out_depth_low,  // Near end of the depth band.
+    output wire [23:0] out_depth_high,  // Far end of the depth band.
+    output wire [15:0] out_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_2,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_3,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_4,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_5,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_6,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_7,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_8,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_9,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_10,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_cardinal_0  // Weighted continuous attributes, and cardinal ones as they are.
 );
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
@@ -2349,17 +2341,15 @@ module splat_weighting (
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [74:0] delay_10_from_0_out;
-    reg [15:0] weight_d8, weight_d9, weight_d10, reinterpret_25_d1, reinterpret_25_d2, reinterpret_25_d3;
-    reg [15:0] reinterpret_25_d4, reinterpret_27_d1, reinterpret_27_d2, reinterpret_27_d3, reinterpret_27_d4;
-    reg [15:0] reinterpret_29_d1, reinterpret_29_d2, reinterpret_29_d3, reinterpret_29_d4, reinterpret_31_d1;
-    reg [15:0] reinterpret_31_d2, reinterpret_31_d3, reinterpret_31_d4, reinterpret_33_d1, reinterpret_33_d2;
-    reg [15:0] reinterpret_33_d3, reinterpret_33_d4, reinterpret_35_d1, reinterpret_35_d2, reinterpret_35_d3;
-    reg [15:0] reinterpret_35_d4, reinterpret_37_d1, reinterpret_37_d2, reinterpret_37_d3, reinterpret_37_d4;
-    reg [15:0] reinterpret_39_d1, reinterpret_39_d2, reinterpret_39_d3, reinterpret_39_d4, reinterpret_41_d1;
-    reg [15:0] reinterpret_41_d2, reinterpret_41_d3, reinterpret_41_d4, reinterpret_43_d1, reinterpret_43_d2;
-    reg [15:0] reinterpret_43_d3, reinterpret_43_d4, reinterpret_45_d1, reinterpret_45_d2, reinterpret_45_d3;
-    reg [15:0] reinterpret_45_d4, reinterpret_47_d1, reinterpret_47_d2, reinterpret_47_d3, reinterpret_47_d4;
-    reg [15:0] reinterpret_49_d1, reinterpret_49_d2, reinterpret_49_d3, reinterpret_49_d4;
+    reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
+    reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
+    reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
+    reg [15:0] attribute_4_d1, attribute_4_d2, attribute_4_d3, attribute_4_d4, attribute_5_d1, attribute_5_d2;
+    reg [15:0] attribute_5_d3, attribute_5_d4, attribute_6_d1, attribute_6_d2, attribute_6_d3, attribute_6_d4;
+    reg [15:0] attribute_7_d1, attribute_7_d2, attribute_7_d3, attribute_7_d4, attribute_8_d1, attribute_8_d2;
+    reg [15:0] attribute_8_d3, attribute_8_d4, attribute_9_d1, attribute_9_d2, attribute_9_d3, attribute_9_d4;
+    reg [15:0] attribute_10_d1, attribute_10_d2, attribute_10_d3, attribute_10_d4, attribute_11_d1, attribute_11_d2;
+    reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -2371,6 +2361,17 @@ module splat_weighting (
     wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
 
+    wire end_d10 = delay_10_from_0_out[0];
+    wire last_d10 = delay_10_from_0_out[1];
+    wire inside_d10 = delay_10_from_0_out[2];
+    wire [1:0] slot_d10 = delay_10_from_0_out[4:3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
+    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[74:59];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {
@@ -2381,15 +2382,13 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w339 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
         .in_data({
-            delay_10_from_0_out[0], delay_10_from_0_out[1], delay_10_from_0_out[2], delay_10_from_0_out[4:3],
-            delay_10_from_0_out[10:5], weight_d10, mul_u16_u24_unit_y, delay_10_from_0_out[34:11],
-            delay_10_from_0_out[58:35], mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y,
-            mul_f16_unit_copy4_y, mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y,
-            mul_f16_unit_copy8_y, mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y,
-            mul_f16_unit_copy12_y, mul_f16_unit_copy13_y, delay_10_from_0_out[74:59]
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
+            mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y,
+            mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
+            mul_f16_unit_copy13_y, cardinal_0_d10
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -2399,72 +2398,71 @@ module splat_weighting (
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
-        .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_25_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4),
         .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_27_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_29_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_31_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_33_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_35_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_37_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_39_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_41_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_43_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_45_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_47_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_49_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
     );
 
@@ -2481,61 +2479,61 @@ module splat_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d8 <= weight_d7;
             weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
-            reinterpret_25_d1 <= in_attribute_0;
-            reinterpret_25_d2 <= reinterpret_25_d1;
-            reinterpret_25_d3 <= reinterpret_25_d2;
-            reinterpret_25_d4 <= reinterpret_25_d3;
-            reinterpret_27_d1 <= in_attribute_1;
-            reinterpret_27_d2 <= reinterpret_27_d1;
-            reinterpret_27_d3 <= reinterpret_27_d2;
-            reinterpret_27_d4 <= reinterpret_27_d3;
-            reinterpret_29_d1 <= in_attribute_2;
-            reinterpret_29_d2 <= reinterpret_29_d1;
-            reinterpret_29_d3 <= reinterpret_29_d2;
-            reinterpret_29_d4 <= reinterpret_29_d3;
-            reinterpret_31_d1 <= in_attribute_3;
-            reinterpret_31_d2 <= reinterpret_31_d1;
-            reinterpret_31_d3 <= reinterpret_31_d2;
-            reinterpret_31_d4 <= reinterpret_31_d3;
-            reinterpret_33_d1 <= in_attribute_4;
-            reinterpret_33_d2 <= reinterpret_33_d1;
-            reinterpret_33_d3 <= reinterpret_33_d2;
-            reinterpret_33_d4 <= reinterpret_33_d3;
-            reinterpret_35_d1 <= in_attribute_5;
-            reinterpret_35_d2 <= reinterpret_35_d1;
-            reinterpret_35_d3 <= reinterpret_35_d2;
-            reinterpret_35_d4 <= reinterpret_35_d3;
-            reinterpret_37_d1 <= in_attribute_6;
-            reinterpret_37_d2 <= reinterpret_37_d1;
-            reinterpret_37_d3 <= reinterpret_37_d2;
-            reinterpret_37_d4 <= reinterpret_37_d3;
-            reinterpret_39_d1 <= in_attribute_7;
-            reinterpret_39_d2 <= reinterpret_39_d1;
-            reinterpret_39_d3 <= reinterpret_39_d2;
-            reinterpret_39_d4 <= reinterpret_39_d3;
-            reinterpret_41_d1 <= in_attribute_8;
-            reinterpret_41_d2 <= reinterpret_41_d1;
-            reinterpret_41_d3 <= reinterpret_41_d2;
-            reinterpret_41_d4 <= reinterpret_41_d3;
-            reinterpret_43_d1 <= in_attribute_9;
-            reinterpret_43_d2 <= reinterpret_43_d1;
-            reinterpret_43_d3 <= reinterpret_43_d2;
-            reinterpret_43_d4 <= reinterpret_43_d3;
-            reinterpret_45_d1 <= in_attribute_10;
-            reinterpret_45_d2 <= reinterpret_45_d1;
-            reinterpret_45_d3 <= reinterpret_45_d2;
-            reinterpret_45_d4 <= reinterpret_45_d3;
-            reinterpret_47_d1 <= in_attribute_11;
-            reinterpret_47_d2 <= reinterpret_47_d1;
-            reinterpret_47_d3 <= reinterpret_47_d2;
-            reinterpret_47_d4 <= reinterpret_47_d3;
-            reinterpret_49_d1 <= in_attribute_12;
-            reinterpret_49_d2 <= reinterpret_49_d1;
-            reinterpret_49_d3 <= reinterpret_49_d2;
-            reinterpret_49_d4 <= reinterpret_49_d3;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_0_d2 <= attribute_0_d1;
+            attribute_0_d3 <= attribute_0_d2;
+            attribute_0_d4 <= attribute_0_d3;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_1_d2 <= attribute_1_d1;
+            attribute_1_d3 <= attribute_1_d2;
+            attribute_1_d4 <= attribute_1_d3;
+            attribute_2_d1 <= in_attribute_2;
+            attribute_2_d2 <= attribute_2_d1;
+            attribute_2_d3 <= attribute_2_d2;
+            attribute_2_d4 <= attribute_2_d3;
+            attribute_3_d1 <= in_attribute_3;
+            attribute_3_d2 <= attribute_3_d1;
+            attribute_3_d3 <= attribute_3_d2;
+            attribute_3_d4 <= attribute_3_d3;
+            attribute_4_d1 <= in_attribute_4;
+            attribute_4_d2 <= attribute_4_d1;
+            attribute_4_d3 <= attribute_4_d2;
+            attribute_4_d4 <= attribute_4_d3;
+            attribute_5_d1 <= in_attribute_5;
+            attribute_5_d2 <= attribute_5_d1;
+            attribute_5_d3 <= attribute_5_d2;
+            attribute_5_d4 <= attribute_5_d3;
+            attribute_6_d1 <= in_attribute_6;
+            attribute_6_d2 <= attribute_6_d1;
+            attribute_6_d3 <= attribute_6_d2;
+            attribute_6_d4 <= attribute_6_d3;
+            attribute_7_d1 <= in_attribute_7;
+            attribute_7_d2 <= attribute_7_d1;
+            attribute_7_d3 <= attribute_7_d2;
+            attribute_7_d4 <= attribute_7_d3;
+            attribute_8_d1 <= in_attribute_8;
+            attribute_8_d2 <= attribute_8_d1;
+            attribute_8_d3 <= attribute_8_d2;
+            attribute_8_d4 <= attribute_8_d3;
+            attribute_9_d1 <= in_attribute_9;
+            attribute_9_d2 <= attribute_9_d1;
+            attribute_9_d3 <= attribute_9_d2;
+            attribute_9_d4 <= attribute_9_d3;
+            attribute_10_d1 <= in_attribute_10;
+            attribute_10_d2 <= attribute_10_d1;
+            attribute_10_d3 <= attribute_10_d2;
+            attribute_10_d4 <= attribute_10_d3;
+            attribute_11_d1 <= in_attribute_11;
+            attribute_11_d2 <= attribute_11_d1;
+            attribute_11_d3 <= attribute_11_d2;
+            attribute_11_d4 <= attribute_11_d3;
+            attribute_12_d1 <= in_attribute_12;
+            attribute_12_d2 <= attribute_12_d1;
+            attribute_12_d3 <= attribute_12_d2;
+            attribute_12_d4 <= attribute_12_d3;
         end
     end
     always @(posedge clk) begin
@@ -2554,10 +2552,7 @@ endmodule
 // stages = 6
 // format = f16
 module float_mul_s6_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -2575,83 +2570,89 @@ module float_mul_s6_f16 (
     reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
     wire [4:0] b_field = b[14:10];
-    wire term_9 = ~(|b_field);
+    wire b_exponent_s1_inverted = ~(|b_field);
     wire [9:0] b_fraction = b[9:0];
-    wire term_10 = term_9 & ~b_fraction[9];
-    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
-    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
-    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
-    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
-    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
-    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
-    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
-    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
-    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
-    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
-    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
-    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
-    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
-    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
-    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
-    wire term_26 = &a_field & (a_fraction == 10'd0);
-    wire term_27 = ~(|b_field | |b_fraction);
-    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
-    wire term_29 = ~(|a_field | |a_fraction);
-    wire term_30 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
+    wire b_zeros_s1_both = b_exponent_s1_inverted & ~b_fraction[9];
+    wire b_zeros_s1_both_2 = b_zeros_s1_both & (~b_fraction[8] & ~b_fraction[7]);
+    wire b_zeros_s1_both_3 = ~b_fraction[6] & ~b_fraction[5];
+    wire b_zeros_s1_both_4 = b_zeros_s1_both_2 & (b_zeros_s1_both_3 & (~b_fraction[4] & ~b_fraction[3]));
+    wire b_zeros_s1_both_5 = ~b_fraction[2] & ~b_fraction[1];
+    wire [2:0] b_zeros_s1_bits = {1'd0, b_zeros_s1_both_5, b_zeros_s1_both_5 ? ~b_fraction[0] : ~b_fraction[2]};
+    wire [1:0] b_zeros_s1_bits_2 = {b_zeros_s1_both_3, b_zeros_s1_both_3 ? ~b_fraction[4] : ~b_fraction[6]};
+    wire [1:0] b_zeros_s1_bits_3 = {b_zeros_s1_both, b_zeros_s1_both ? ~b_fraction[8] : b_exponent_s1_inverted};
+    wire [2:0] b_zeros_s1_bits_4 = {b_zeros_s1_both_2, b_zeros_s1_both_2 ? b_zeros_s1_bits_2 : b_zeros_s1_bits_3};
+    wire [7:0] exponent_s3_plus_product_s3_21 = exponent_s3 + {7'd0, product_s3[21]};
+    wire exponent_s4_either = exponent_s3_plus_product_s3_21[7] | (exponent_s3_plus_product_s3_21 == 8'd0);
+    wire [21:0] significand_s4_choice = product_s3[21] ? product_s3 : (product_s3 << 1);
+    wire [12:0] significand_s5_choice = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
+    wire [12:0] significand_s5_choice_2 = distance_s4[2] ? (significand_s5_choice >> 4) : significand_s5_choice;
+    wire [12:0] significand_s5_choice_3 = distance_s4[1] ? (significand_s5_choice_2 >> 2) : significand_s5_choice_2;
+    wire [12:0] significand_s5_choice_4 = distance_s4[0] ? (significand_s5_choice_3 >> 1) : significand_s5_choice_3;
+    wire significand_s5_either = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |significand_s5_choice[3:0]);
+    wire significand_s5_either_2 = significand_s5_either | (distance_s4[1] & |significand_s5_choice_2[1:0]);
+    wire significand_s5_either_3 = significand_s5_either_2 | (distance_s4[0] & significand_s5_choice_3[0]);
+    wire [12:0] significand_s5_bits = {significand_s5_choice_4[12:1], significand_s5_choice_4[0] | significand_s5_either_3};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_inverted = ~(|b_field | |b_fraction);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field | |a_fraction);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] rounded_bits = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
-    wire [14:0] rounded = joined_31 + {14'd0, round_up};
-    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
-            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
+            b_zeros_s1 <= {b_zeros_s1_both_4, b_zeros_s1_both_4 ? b_zeros_s1_bits : b_zeros_s1_bits_4};
+            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | b_exponent_s1_inverted};
             b_significand_s1 <= {|b_field, b_fraction};
             left_s2 <= a_significand_s1 << a_zeros_s1;
             right_s2 <= b_significand_s1 << b_zeros_s1;
             exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
             product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
             exponent_s3 <= exponent_s2 - 8'd15;
-            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
-            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
-            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
-            exponent_s4 <= term_18 ? 8'd1 : sum_17;
+            distance_s4 <= (8'd1 - exponent_s3_plus_product_s3_21) & {8{exponent_s4_either}};
+            significand_s4 <= {significand_s4_choice[21:10], |significand_s4_choice[9:0]};
+            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : significand_s5_bits;
+            exponent_s4 <= exponent_s4_either ? 8'd1 : exponent_s3_plus_product_s3_21;
             exponent_s5 <= exponent_s4;
             sign_s1 <= a[15] ^ b[15];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
             sign_s5 <= sign_s4;
-            nan_s1 <= term_28 | (term_29 & term_30);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
-            infinite_s1 <= term_26 | term_30;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s1 <= term_29 | term_27;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -2661,10 +2662,7 @@ endmodule
 // a = u16
 // b = u24
 module integer_mul_s3_u16_u24 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [23:0] b,
     output reg  [39:0] y
 );
     reg [15:0] a_s1;
@@ -2689,9 +2687,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s4_f16_w16_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [15:0] magnitude_s1, magnitude_s2;
@@ -2701,49 +2697,54 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
     reg [5:0] exponent_s3;
     reg zero_s1, zero_s2, zero_s3;
 
-    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
-    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
-    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
-    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
-    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
-    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
-    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
-    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
-    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
-    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
-    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
-    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
-    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+    wire zeros_s2_both = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire zeros_s2_both_2 = zeros_s2_both & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire zeros_s2_both_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire zeros_s2_both_4 = zeros_s2_both_2 & (zeros_s2_both_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire zeros_s2_both_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire zeros_s2_both_6 = zeros_s2_both_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire zeros_s2_both_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire [1:0] zeros_s2_bits = {zeros_s2_both_7, zeros_s2_both_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]};
+    wire [1:0] zeros_s2_bits_2 = {zeros_s2_both_5, zeros_s2_both_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [2:0] zeros_s2_bits_3 = {zeros_s2_both_6, zeros_s2_both_6 ? zeros_s2_bits : zeros_s2_bits_2};
+    wire [1:0] zeros_s2_bits_4 = {zeros_s2_both_3, zeros_s2_both_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
+    wire [1:0] zeros_s2_bits_5 = {zeros_s2_both, zeros_s2_both ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [2:0] zeros_s2_bits_6 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_4 : zeros_s2_bits_5};
+    wire [5:0] exponent_s3_difference = 6'd14 - {2'd0, zeros_s2};
+    wire exponent_s3_either = exponent_s3_difference[5] | (exponent_s3_difference == 6'd0);
+    wire [15:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
+    wire [12:0] round_up_choice = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] round_up_choice_2 = distance_s3[2] ? (round_up_choice >> 4) : round_up_choice;
+    wire [12:0] round_up_choice_3 = distance_s3[1] ? (round_up_choice_2 >> 2) : round_up_choice_2;
+    wire [12:0] round_up_choice_4 = distance_s3[0] ? (round_up_choice_3 >> 1) : round_up_choice_3;
+    wire round_up_either = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |round_up_choice[3:0]);
+    wire round_up_either_2 = round_up_either | (distance_s3[1] & |round_up_choice_2[1:0]) | (distance_s3[0] & round_up_choice_3[0]);
+    wire [12:0] round_up_bits = {round_up_choice_4[12:1], round_up_choice_4[0] | round_up_either_2};
+    wire [12:0] round_up_choice_5 = |distance_s3[5:4] ? {12'd0, |significand_s3} : round_up_bits;
+    wire [14:0] rounded_bits = {exponent_s3[4:0] & {5{round_up_choice_5[12]}}, round_up_choice_5[11:2]};
+    wire round_up = round_up_choice_5[1] & (round_up_choice_5[0] | round_up_choice_5[2]);
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = zero_s3 ? 15'd0 : (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
-            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
-            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
-            exponent_s3 <= term_11 ? 6'd1 : difference_10;
+            zeros_s2 <= {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_3 : zeros_s2_bits_6};
+            distance_s3 <= (6'd1 - exponent_s3_difference) & {6{exponent_s3_either}};
+            significand_s3 <= {significand_s3_shifted[15:4], |significand_s3_shifted[3:0]};
+            exponent_s3 <= exponent_s3_either ? 6'd1 : exponent_s3_difference;
             zero_s1 <= a == 16'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
+            y <= {1'd0, y_choice};
         end
     end
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies with their slots.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -2813,7 +2814,15 @@ module splat_rasterizer (
     reg [1:0] slot;
     reg [11:0] tile;
     reg [2:0] column, row, left, right, bottom;
-    reg [31:0] center_x, center_y, ax, bx, ay, by, delta, mx, my;
+    reg [31:0] center_x;  // Projected center (px), the origin of what follows.
+    reg [31:0] center_y;  // Projected center (px), the origin of what follows.
+    reg [31:0] ax;  // `A` in x.
+    reg [31:0] bx;  // `B` in x.
+    reg [31:0] ay;  // `A` in y.
+    reg [31:0] by;  // `B` in y.
+    reg [31:0] delta;  // The determinant of `A` and `B`.
+    reg [31:0] mx;  // `m` in x.
+    reg [31:0] my;  // `m` in y.
 
     wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
     wire evaluation_out_inside;
@@ -2825,11 +2834,11 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire term_2 = column == right;
-    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
-    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
-    wire term_5 = {choice_3, choice_4} == {right, bottom};
+    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire column_is_right = column == right;
+    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
+    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
+    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
     assign out_valid = evaluation_out_valid;
@@ -2846,11 +2855,10 @@ module splat_rasterizer (
     } = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk), .rst(rst),
-        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
-        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
-        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
-        .in_my(my),
+        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
+        .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
+        .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
         .filter_scale(filter_scale),
         .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
         .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
@@ -2858,8 +2866,7 @@ module splat_rasterizer (
     );
 
     stream_fifo_d64_w296 shared (
-        .clk(clk), .rst(rst),
-        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
@@ -2879,7 +2886,7 @@ module splat_rasterizer (
         end else begin
             if (evaluation_in_ready) begin
                 busy <= load | (busy & ~is_last);
-                idle <= load ? term_1 : (~busy | (is_last | term_5));
+                idle <= load ? idle_either : (~busy | (is_last | idle_same));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -2905,9 +2912,9 @@ module splat_rasterizer (
             my <= in_my;
         end
         if (evaluation_in_ready) begin
-            is_last <= load ? term_1 : term_5;
-            column <= load ? in_left : choice_3;
-            row <= load ? in_top : choice_4;
+            is_last <= load ? idle_either : idle_same;
+            column <= load ? in_left : idle_choice;
+            row <= load ? in_top : idle_choice_2;
         end
     end
 
@@ -2918,14 +2925,9 @@ endmodule
 // depth = 64
 // width = 296
 module stream_fifo_d64_w296 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [295:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [295:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [295:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [295:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -2940,8 +2942,7 @@ module stream_fifo_d64_w296 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(296), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2962,25 +2963,16 @@ module stream_fifo_d64_w296 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2989,32 +2981,15 @@ endmodule
 // latency = 68
 // initiation_interval = 1
 module splat_evaluation (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire [1:0] in_slot,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [31:0] in_center_x,
-    input  wire [31:0] in_center_y,
-    input  wire [31:0] in_ax,
-    input  wire [31:0] in_bx,
-    input  wire [31:0] in_ay,
-    input  wire [31:0] in_by,
-    input  wire [31:0] in_delta,
-    input  wire [31:0] in_mx,
-    input  wire [31:0] in_my,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
+    input  wire [1:0] in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
+    input  wire [31:0] in_center_x, input wire [31:0] in_center_y, input wire [31:0] in_ax,
+    input  wire [31:0] in_bx, input wire [31:0] in_ay, input wire [31:0] in_by,
+    input  wire [31:0] in_delta, input wire [31:0] in_mx, input wire [31:0] in_my,
     input  wire [31:0] filter_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire [1:0] out_slot,
-    output wire [5:0] out_pixel,
+    output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
+    output wire out_inside, output wire [1:0] out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -3056,8 +3031,9 @@ module splat_evaluation (
     reg [6:0] delay_68_from_0_pointer;
     wire [7:0] delay_68_from_0_out;
     reg end_d63;
-    reg [31:0] neg_18_d1, neg_18_d2, neg_18_d3, neg_23_d1, neg_23_d2, neg_23_d3;
-    reg not_62_d1;
+    reg [31:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
+    reg [31:0] minus_center_y_d3;
+    reg not_end_d1;
     reg [67:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -3073,31 +3049,39 @@ module splat_evaluation (
     wire lt_f32_ftz_unit_y;
     wire [15:0] to_fixed_f32_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
 
-    wire [31:0] select_53 = delay_33_from_0_out ? 32'h7f800000 : div_f32_ftz_unit_y;
-    wire not_62 = ~delay_62_from_0_out;
-    wire and_63 = lt_f32_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_63_from_0_out | and_63;
-    wire or_65 = end_d63 | or_64;
-    wire xor_51 = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
+    wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
+    wire end_d68 = delay_5_from_0_out[0];
+    wire last_d68 = delay_5_from_0_out[1];
+    wire inside_out_d5 = delay_5_from_0_out[2];
+    wire [1:0] slot_d68 = delay_68_from_0_out[1:0];
+    wire [5:0] pixel_out_d68 = delay_68_from_0_out[7:2];
+    wire [31:0] ay_d9 = delay_9_from_0_out[31:0];
+    wire [31:0] ax_d9 = delay_9_from_0_out[63:32];
+    wire [31:0] by_d9 = delay_9_from_0_out[95:64];
+    wire [31:0] bx_d9 = delay_9_from_0_out[127:96];
+    wire [31:0] mx_d9 = delay_9_from_0_out[159:128];
+    wire [31:0] my_d9 = delay_9_from_0_out[191:160];
+    wire [31:0] rho_squared_chosen = delay_33_from_0_out ? 32'h7f800000 : div_f32_ftz_unit_y;
+    wire not_end = ~delay_62_from_0_out;
+    wire inside_out = lt_f32_ftz_unit_y & not_end_d1;
+    wire last_or_inside_out = delay_63_from_0_out | inside_out;
+    wire end_or_last_or_inside_out = end_d63 | last_or_inside_out;
+    wire rho_squared_unequal = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     memory_1w1r #(.WIDTH(8), .DEPTH(67)) delay_68_from_0 (
-        .clk(clk),
-        .write(queue_in_ready), .write_address(delay_68_from_0_pointer),
+        .clk(clk), .write(queue_in_ready), .write_address(delay_68_from_0_pointer),
         .write_data({in_row[2:0], in_column[2:0], in_slot}),
         .read(queue_in_ready), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
     );
 
     stream_skid_w27 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[67] & delay_5_from_0_out[3]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_5_from_0_out[0], delay_5_from_0_out[1], delay_5_from_0_out[2], delay_68_from_0_out[1:0],
-            delay_68_from_0_out[7:2], interpolate_8_8_16_unit_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[67] & end_or_last_or_inside_out_d5),
+        .in_ready(queue_in_ready),
+        .in_data({end_d68, last_d68, inside_out_d5, slot_d68, pixel_out_d68, interpolate_8_8_16_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -3110,12 +3094,12 @@ module splat_evaluation (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(neg_18_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(neg_23_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
@@ -3150,32 +3134,29 @@ module splat_evaluation (
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[31:0]),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(ay_d9), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[63:32]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(ax_d9),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[95:64]),
-        .y(mul_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(by_d9), .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[127:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(bx_d9),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_9_from_0_out[159:128]),
-        .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(mx_d9), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(delay_9_from_0_out[191:160]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(my_d9),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
@@ -3215,7 +3196,8 @@ module splat_evaluation (
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(select_53), .b(delay_34_from_0_out), .y(min_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(rho_squared_chosen), .b(delay_34_from_0_out),
+        .y(min_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
@@ -3260,18 +3242,18 @@ module splat_evaluation (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             end_d63 <= delay_62_from_0_out;
-            neg_18_d1 <= {~in_center_x[31], in_center_x[30:0]};
-            neg_18_d2 <= neg_18_d1;
-            neg_18_d3 <= neg_18_d2;
-            neg_23_d1 <= {~in_center_y[31], in_center_y[30:0]};
-            neg_23_d2 <= neg_23_d1;
-            neg_23_d3 <= neg_23_d2;
-            not_62_d1 <= not_62;
+            minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
+            minus_center_x_d2 <= minus_center_x_d1;
+            minus_center_x_d3 <= minus_center_x_d2;
+            minus_center_y_d1 <= {~in_center_y[31], in_center_y[30:0]};
+            minus_center_y_d2 <= minus_center_y_d1;
+            minus_center_y_d3 <= minus_center_y_d2;
+            not_end_d1 <= not_end;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_63_from_0_out, end_d63};
+            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_63_from_0_out, end_d63};
         end
         if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
@@ -3294,7 +3276,7 @@ module splat_evaluation (
         if (queue_in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_33_from_0[delay_33_from_0_pointer] <= xor_51;
+        if (queue_in_ready) delay_33_from_0[delay_33_from_0_pointer] <= rho_squared_unequal;
         if (queue_in_ready) delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -3316,9 +3298,7 @@ endmodule
 // index_bits = 8
 // fraction_bits = 8
 module float_table_s4_i8_f8 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [32:0] entry_s1;
@@ -3588,8 +3568,8 @@ module float_table_s4_i8_f8 (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s2};
-    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] rise_s3_bits = {1'd0, fraction_s2};
+    wire [25:0] slope_s2_times_rise_s3_bits = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{rise_s3_bits[8]}}, rise_s3_bits});
 
     always @(posedge clk) begin
         if (enable) begin
@@ -3597,14 +3577,14 @@ module float_table_s4_i8_f8 (
             fraction_s1 <= a[7:0];
             slope_s2 <= entry_s1[16:0];
             fraction_s2 <= fraction_s1;
-            rise_s3 <= product_2[23:8];
+            rise_s3 <= slope_s2_times_rise_s3_bits[23:8];
             start_s2 <= entry_s1[32:17];
             start_s3 <= start_s2;
             y <= start_s3 + rise_s3;
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
+    wire _unused = &{1'b0, slope_s2_times_rise_s3_bits[7:0], slope_s2_times_rise_s3_bits[25:24]};
 endmodule
 
 // Floating to fixed point.
@@ -3614,9 +3594,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_to_fixed_s3_f32ftz_w16_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [15:0] y
 );
     reg [4:0] distance_s1;
@@ -3625,41 +3603,38 @@ module float_to_fixed_s3_f32ftz_w16_f16_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[30:23];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h792;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] shifted_3 = significand_s1 >> distance_s1;
-    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_5 = &a_field & (a_fraction == 23'd0);
+    wire [23:0] magnitude_s2_shifted = significand_s1 >> distance_s1;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 23'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
-            magnitude_s2 <= shifted_3[15:0];
+            magnitude_s2 <= magnitude_s2_shifted[15:0];
             sign_s1 <= a[31];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_4 & (11'd17 <= sum_1) & |a_field) | term_5;
+            saturates_s1 <= (~vanishes_s1_either & (11'd17 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 16'd0 : saturates_s2 ? 16'hffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], shifted_3[23:16]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5], magnitude_s2_shifted[23:16]};
 endmodule
 
 // Floating-point quotient, correctly rounded.
 // stages = 28
 // format = f32-ftz
 module float_div_s28_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [24:0] remainder_s1;
@@ -3757,154 +3732,154 @@ module float_div_s28_f32ftz (
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
-    wire [22:0] term_1 = a_fraction & {23{|a_field}};
+    wire [22:0] remainder_s1_both = a_fraction & {23{|a_field}};
     wire [7:0] b_field = b[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [22:0] term_2 = b_fraction & {23{|b_field}};
-    wire [25:0] difference_3 = {2'd0, |a_field, term_1} - {2'd0, |b_field, term_2};
-    wire [23:0] choice_4 = ~difference_3[25] ? difference_3[23:0] : {|a_field, term_1};
-    wire [25:0] difference_5 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [23:0] choice_6 = ~difference_5[25] ? difference_5[23:0] : remainder_s1[23:0];
-    wire [25:0] difference_7 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [23:0] choice_8 = ~difference_7[25] ? difference_7[23:0] : remainder_s2[23:0];
-    wire [25:0] difference_9 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [23:0] choice_10 = ~difference_9[25] ? difference_9[23:0] : remainder_s3[23:0];
-    wire [25:0] difference_11 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [23:0] choice_12 = ~difference_11[25] ? difference_11[23:0] : remainder_s4[23:0];
-    wire [25:0] difference_13 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [23:0] choice_14 = ~difference_13[25] ? difference_13[23:0] : remainder_s5[23:0];
-    wire [25:0] difference_15 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [23:0] choice_16 = ~difference_15[25] ? difference_15[23:0] : remainder_s6[23:0];
-    wire [25:0] difference_17 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [23:0] choice_18 = ~difference_17[25] ? difference_17[23:0] : remainder_s7[23:0];
-    wire [25:0] difference_19 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [23:0] choice_20 = ~difference_19[25] ? difference_19[23:0] : remainder_s8[23:0];
-    wire [25:0] difference_21 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [23:0] choice_22 = ~difference_21[25] ? difference_21[23:0] : remainder_s9[23:0];
-    wire [25:0] difference_23 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [23:0] choice_24 = ~difference_23[25] ? difference_23[23:0] : remainder_s10[23:0];
-    wire [25:0] difference_25 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [23:0] choice_26 = ~difference_25[25] ? difference_25[23:0] : remainder_s11[23:0];
-    wire [25:0] difference_27 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [23:0] choice_28 = ~difference_27[25] ? difference_27[23:0] : remainder_s12[23:0];
-    wire [25:0] difference_29 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [23:0] choice_30 = ~difference_29[25] ? difference_29[23:0] : remainder_s13[23:0];
-    wire [25:0] difference_31 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [23:0] choice_32 = ~difference_31[25] ? difference_31[23:0] : remainder_s14[23:0];
-    wire [25:0] difference_33 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [23:0] choice_34 = ~difference_33[25] ? difference_33[23:0] : remainder_s15[23:0];
-    wire [25:0] difference_35 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [23:0] choice_36 = ~difference_35[25] ? difference_35[23:0] : remainder_s16[23:0];
-    wire [25:0] difference_37 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [23:0] choice_38 = ~difference_37[25] ? difference_37[23:0] : remainder_s17[23:0];
-    wire [25:0] difference_39 = {1'd0, remainder_s18} - {2'd0, divisor_s18};
-    wire [23:0] choice_40 = ~difference_39[25] ? difference_39[23:0] : remainder_s18[23:0];
-    wire [25:0] difference_41 = {1'd0, remainder_s19} - {2'd0, divisor_s19};
-    wire [23:0] choice_42 = ~difference_41[25] ? difference_41[23:0] : remainder_s19[23:0];
-    wire [25:0] difference_43 = {1'd0, remainder_s20} - {2'd0, divisor_s20};
-    wire [23:0] choice_44 = ~difference_43[25] ? difference_43[23:0] : remainder_s20[23:0];
-    wire [25:0] difference_45 = {1'd0, remainder_s21} - {2'd0, divisor_s21};
-    wire [23:0] choice_46 = ~difference_45[25] ? difference_45[23:0] : remainder_s21[23:0];
-    wire [25:0] difference_47 = {1'd0, remainder_s22} - {2'd0, divisor_s22};
-    wire [23:0] choice_48 = ~difference_47[25] ? difference_47[23:0] : remainder_s22[23:0];
-    wire [25:0] difference_49 = {1'd0, remainder_s23} - {2'd0, divisor_s23};
-    wire [23:0] choice_50 = ~difference_49[25] ? difference_49[23:0] : remainder_s23[23:0];
-    wire [25:0] difference_51 = {1'd0, remainder_s24} - {2'd0, divisor_s24};
-    wire [23:0] choice_52 = ~difference_51[25] ? difference_51[23:0] : remainder_s24[23:0];
-    wire [25:0] difference_53 = {1'd0, remainder_s25} - {2'd0, divisor_s25};
-    wire [23:0] choice_54 = ~difference_53[25] ? difference_53[23:0] : remainder_s25[23:0];
-    wire [26:0] joined_55 = {quotient_s26, |remainder_s26};
-    wire [26:0] choice_56 = ~quotient_s26[25] ? (joined_55 << 1) : joined_55;
-    wire term_57 = ~(|a_field);
-    wire term_58 = ~(|b_field);
-    wire term_59 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_57 & term_58);
-    wire term_60 = &a_field & (a_fraction == 23'd0);
-    wire term_61 = &b_field & (b_fraction == 23'd0);
-    wire term_62 = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
-    wire term_63 = infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27));
+    wire [22:0] remainder_s1_both_2 = b_fraction & {23{|b_field}};
+    wire [25:0] remainder_s1_difference = {2'd0, |a_field, remainder_s1_both} - {2'd0, |b_field, remainder_s1_both_2};
+    wire [23:0] remainder_s1_choice = ~remainder_s1_difference[25] ? remainder_s1_difference[23:0] : {|a_field, remainder_s1_both};
+    wire [25:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [23:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[25] ? remainder_s1_minus_divisor_s1[23:0] : remainder_s1[23:0];
+    wire [25:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [23:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[25] ? remainder_s2_minus_divisor_s2[23:0] : remainder_s2[23:0];
+    wire [25:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [23:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[25] ? remainder_s3_minus_divisor_s3[23:0] : remainder_s3[23:0];
+    wire [25:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [23:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[25] ? remainder_s4_minus_divisor_s4[23:0] : remainder_s4[23:0];
+    wire [25:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [23:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[25] ? remainder_s5_minus_divisor_s5[23:0] : remainder_s5[23:0];
+    wire [25:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [23:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[25] ? remainder_s6_minus_divisor_s6[23:0] : remainder_s6[23:0];
+    wire [25:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [23:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[25] ? remainder_s7_minus_divisor_s7[23:0] : remainder_s7[23:0];
+    wire [25:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [23:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[25] ? remainder_s8_minus_divisor_s8[23:0] : remainder_s8[23:0];
+    wire [25:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [23:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[25] ? remainder_s9_minus_divisor_s9[23:0] : remainder_s9[23:0];
+    wire [25:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [23:0] remainder_s11_choice = ~remainder_s11_difference[25] ? remainder_s11_difference[23:0] : remainder_s10[23:0];
+    wire [25:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [23:0] remainder_s12_choice = ~remainder_s12_difference[25] ? remainder_s12_difference[23:0] : remainder_s11[23:0];
+    wire [25:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [23:0] remainder_s13_choice = ~remainder_s13_difference[25] ? remainder_s13_difference[23:0] : remainder_s12[23:0];
+    wire [25:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [23:0] remainder_s14_choice = ~remainder_s14_difference[25] ? remainder_s14_difference[23:0] : remainder_s13[23:0];
+    wire [25:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [23:0] remainder_s15_choice = ~remainder_s15_difference[25] ? remainder_s15_difference[23:0] : remainder_s14[23:0];
+    wire [25:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [23:0] remainder_s16_choice = ~remainder_s16_difference[25] ? remainder_s16_difference[23:0] : remainder_s15[23:0];
+    wire [25:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [23:0] remainder_s17_choice = ~remainder_s17_difference[25] ? remainder_s17_difference[23:0] : remainder_s16[23:0];
+    wire [25:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [23:0] remainder_s18_choice = ~remainder_s18_difference[25] ? remainder_s18_difference[23:0] : remainder_s17[23:0];
+    wire [25:0] remainder_s19_difference = {1'd0, remainder_s18} - {2'd0, divisor_s18};
+    wire [23:0] remainder_s19_choice = ~remainder_s19_difference[25] ? remainder_s19_difference[23:0] : remainder_s18[23:0];
+    wire [25:0] remainder_s20_difference = {1'd0, remainder_s19} - {2'd0, divisor_s19};
+    wire [23:0] remainder_s20_choice = ~remainder_s20_difference[25] ? remainder_s20_difference[23:0] : remainder_s19[23:0];
+    wire [25:0] remainder_s21_difference = {1'd0, remainder_s20} - {2'd0, divisor_s20};
+    wire [23:0] remainder_s21_choice = ~remainder_s21_difference[25] ? remainder_s21_difference[23:0] : remainder_s20[23:0];
+    wire [25:0] remainder_s22_difference = {1'd0, remainder_s21} - {2'd0, divisor_s21};
+    wire [23:0] remainder_s22_choice = ~remainder_s22_difference[25] ? remainder_s22_difference[23:0] : remainder_s21[23:0];
+    wire [25:0] remainder_s23_difference = {1'd0, remainder_s22} - {2'd0, divisor_s22};
+    wire [23:0] remainder_s23_choice = ~remainder_s23_difference[25] ? remainder_s23_difference[23:0] : remainder_s22[23:0];
+    wire [25:0] remainder_s24_difference = {1'd0, remainder_s23} - {2'd0, divisor_s23};
+    wire [23:0] remainder_s24_choice = ~remainder_s24_difference[25] ? remainder_s24_difference[23:0] : remainder_s23[23:0];
+    wire [25:0] remainder_s25_difference = {1'd0, remainder_s24} - {2'd0, divisor_s24};
+    wire [23:0] remainder_s25_choice = ~remainder_s25_difference[25] ? remainder_s25_difference[23:0] : remainder_s24[23:0];
+    wire [25:0] remainder_s26_difference = {1'd0, remainder_s25} - {2'd0, divisor_s25};
+    wire [23:0] remainder_s26_choice = ~remainder_s26_difference[25] ? remainder_s26_difference[23:0] : remainder_s25[23:0];
+    wire [26:0] significand_s27_bits = {quotient_s26, |remainder_s26};
+    wire [26:0] significand_s27_choice = ~quotient_s26[25] ? (significand_s27_bits << 1) : significand_s27_bits;
+    wire nan_s1_inverted = ~(|a_field);
+    wire nan_s1_inverted_2 = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_inverted & nan_s1_inverted_2);
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire y_both = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
     wire round_up = significand_s27[1] & (significand_s27[0] | significand_s27[2]);
     wire [30:0] rounded = {exponent_s27[7:0], significand_s27[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_64 = (zero_s27 | ((exponent_s27[9] | term_62) & ~infinite_s27)) ? 31'd0 : term_63 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s27 | ((exponent_s27[9] | y_both) & ~infinite_s27)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {choice_4, 1'd0};
-            quotient_s1 <= ~difference_3[25];
-            divisor_s1 <= {|b_field, term_2};
-            remainder_s2 <= {choice_6, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_5[25]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[25];
+            divisor_s1 <= {|b_field, remainder_s1_both_2};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[25]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_8, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_7[25]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[25]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_10, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_9[25]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[25]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_12, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_11[25]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[25]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_14, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_13[25]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[25]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_16, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_15[25]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[25]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_18, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_17[25]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[25]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_20, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_19[25]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[25]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_22, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_21[25]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[25]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_24, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_23[25]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[25]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_26, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_25[25]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[25]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_28, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_27[25]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[25]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_30, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_29[25]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[25]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_32, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_31[25]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[25]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_34, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_33[25]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[25]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_36, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_35[25]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[25]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_38, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_37[25]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[25]};
             divisor_s18 <= divisor_s17;
-            remainder_s19 <= {choice_40, 1'd0};
-            quotient_s19 <= {quotient_s18, ~difference_39[25]};
+            remainder_s19 <= {remainder_s19_choice, 1'd0};
+            quotient_s19 <= {quotient_s18, ~remainder_s19_difference[25]};
             divisor_s19 <= divisor_s18;
-            remainder_s20 <= {choice_42, 1'd0};
-            quotient_s20 <= {quotient_s19, ~difference_41[25]};
+            remainder_s20 <= {remainder_s20_choice, 1'd0};
+            quotient_s20 <= {quotient_s19, ~remainder_s20_difference[25]};
             divisor_s20 <= divisor_s19;
-            remainder_s21 <= {choice_44, 1'd0};
-            quotient_s21 <= {quotient_s20, ~difference_43[25]};
+            remainder_s21 <= {remainder_s21_choice, 1'd0};
+            quotient_s21 <= {quotient_s20, ~remainder_s21_difference[25]};
             divisor_s21 <= divisor_s20;
-            remainder_s22 <= {choice_46, 1'd0};
-            quotient_s22 <= {quotient_s21, ~difference_45[25]};
+            remainder_s22 <= {remainder_s22_choice, 1'd0};
+            quotient_s22 <= {quotient_s21, ~remainder_s22_difference[25]};
             divisor_s22 <= divisor_s21;
-            remainder_s23 <= {choice_48, 1'd0};
-            quotient_s23 <= {quotient_s22, ~difference_47[25]};
+            remainder_s23 <= {remainder_s23_choice, 1'd0};
+            quotient_s23 <= {quotient_s22, ~remainder_s23_difference[25]};
             divisor_s23 <= divisor_s22;
-            remainder_s24 <= {choice_50, 1'd0};
-            quotient_s24 <= {quotient_s23, ~difference_49[25]};
+            remainder_s24 <= {remainder_s24_choice, 1'd0};
+            quotient_s24 <= {quotient_s23, ~remainder_s24_difference[25]};
             divisor_s24 <= divisor_s23;
-            remainder_s25 <= {choice_52, 1'd0};
-            quotient_s25 <= {quotient_s24, ~difference_51[25]};
+            remainder_s25 <= {remainder_s25_choice, 1'd0};
+            quotient_s25 <= {quotient_s24, ~remainder_s25_difference[25]};
             divisor_s25 <= divisor_s24;
-            remainder_s26 <= {choice_54, 1'd0};
-            quotient_s26 <= {quotient_s25, ~difference_53[25]};
+            remainder_s26 <= {remainder_s26_choice, 1'd0};
+            quotient_s26 <= {quotient_s25, ~remainder_s26_difference[25]};
             exponent_s1 <= ({2'd0, a_field} - {2'd0, b_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -3932,7 +3907,7 @@ module float_div_s28_f32ftz (
             exponent_s25 <= exponent_s24;
             exponent_s26 <= exponent_s25;
             exponent_s27 <= exponent_s26 - {9'd0, ~quotient_s26[25]};
-            significand_s27 <= {choice_56[26:2], |choice_56[1:0]};
+            significand_s27 <= {significand_s27_choice[26:2], |significand_s27_choice[1:0]};
             sign_s1 <= a[31] ^ b[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -3960,7 +3935,7 @@ module float_div_s28_f32ftz (
             sign_s25 <= sign_s24;
             sign_s26 <= sign_s25;
             sign_s27 <= sign_s26;
-            nan_s1 <= term_59 | (term_60 & term_61);
+            nan_s1 <= nan_s1_either | (nan_s1_both & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
@@ -3987,7 +3962,7 @@ module float_div_s28_f32ftz (
             nan_s25 <= nan_s24;
             nan_s26 <= nan_s25;
             nan_s27 <= nan_s26;
-            infinite_s1 <= term_60 | term_58;
+            infinite_s1 <= nan_s1_both | nan_s1_inverted_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
@@ -4014,7 +3989,7 @@ module float_div_s28_f32ftz (
             infinite_s25 <= infinite_s24;
             infinite_s26 <= infinite_s25;
             infinite_s27 <= infinite_s26;
-            zero_s1 <= term_57 | term_61;
+            zero_s1 <= nan_s1_inverted | nan_s1_both_2;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
@@ -4041,17 +4016,21 @@ module float_div_s28_f32ftz (
             zero_s25 <= zero_s24;
             zero_s26 <= zero_s25;
             zero_s27 <= zero_s26;
-            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, choice_64};
+            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[24], difference_13[24], difference_15[24], difference_17[24], difference_19[24],
-        difference_21[24], difference_23[24], difference_25[24], difference_27[24], difference_29[24],
-        difference_3[24], difference_31[24], difference_33[24], difference_35[24], difference_37[24],
-        difference_39[24], difference_41[24], difference_43[24], difference_45[24], difference_47[24],
-        difference_49[24], difference_5[24], difference_51[24], difference_53[24], difference_7[24],
-        difference_9[24], significand_s27[25]
+        1'b0, remainder_s11_difference[24], remainder_s12_difference[24], remainder_s13_difference[24],
+        remainder_s14_difference[24], remainder_s15_difference[24], remainder_s16_difference[24],
+        remainder_s17_difference[24], remainder_s18_difference[24], remainder_s19_difference[24],
+        remainder_s1_difference[24], remainder_s1_minus_divisor_s1[24], remainder_s20_difference[24],
+        remainder_s21_difference[24], remainder_s22_difference[24], remainder_s23_difference[24],
+        remainder_s24_difference[24], remainder_s25_difference[24], remainder_s26_difference[24],
+        remainder_s2_minus_divisor_s2[24], remainder_s3_minus_divisor_s3[24],
+        remainder_s4_minus_divisor_s4[24], remainder_s5_minus_divisor_s5[24],
+        remainder_s6_minus_divisor_s6[24], remainder_s7_minus_divisor_s7[24],
+        remainder_s8_minus_divisor_s8[24], remainder_s9_minus_divisor_s9[24], significand_s27[25]
     };
 endmodule
 
@@ -4062,9 +4041,7 @@ endmodule
 // fraction = 1
 // integer = unsigned
 module float_from_fixed_s3_f32ftz_w10_f1_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [9:0] a,
+    input  wire clk, input wire enable, input wire [9:0] a,
     output reg  [31:0] y
 );
     reg [9:0] magnitude_s1;
@@ -4073,27 +4050,27 @@ module float_from_fixed_s3_f32ftz_w10_f1_unsigned (
     reg [25:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[9] & ~a[8];
-    wire term_2 = term_1 & (~a[7] & ~a[6]);
-    wire term_3 = ~a[5] & ~a[4];
-    wire term_4 = term_2 & (term_3 & (~a[3] & ~a[2]));
-    wire term_5 = ~a[1] & ~a[0];
-    wire [1:0] choice_6 = term_2 ? {term_3, term_3 ? ~a[3] : ~a[5]} : {term_1, term_1 ? ~a[7] : ~a[9]};
-    wire [2:0] choice_7 = term_4 ? {1'd0, term_5, term_5 ? 1'd0 : ~a[1]} : {term_2, choice_6};
-    wire term_8 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire not_a_9_and_not_a_8 = ~a[9] & ~a[8];
+    wire zeros_s1_both = not_a_9_and_not_a_8 & (~a[7] & ~a[6]);
+    wire not_a_5_and_not_a_4 = ~a[5] & ~a[4];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_5_and_not_a_4 & (~a[3] & ~a[2]));
+    wire not_a_1_and_not_a_0 = ~a[1] & ~a[0];
+    wire [1:0] zeros_s1_choice = zeros_s1_both ? {not_a_5_and_not_a_4, not_a_5_and_not_a_4 ? ~a[3] : ~a[5]} : {not_a_9_and_not_a_8, not_a_9_and_not_a_8 ? ~a[7] : ~a[9]};
+    wire [2:0] zeros_s1_choice_2 = zeros_s1_both_2 ? {1'd0, not_a_1_and_not_a_0, not_a_1_and_not_a_0 ? 1'd0 : ~a[1]} : {zeros_s1_both, zeros_s1_choice};
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_9 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_4, choice_7};
+            zeros_s1 <= {zeros_s1_both_2, zeros_s1_choice_2};
             exponent_s2 <= 9'd135 - {5'd0, zeros_s1};
             significand_s2 <= {magnitude_s1 << zeros_s1, 16'd0};
             zero_s1 <= a == 10'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | term_8)) ? 31'd0 : choice_9};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 31'd0 : y_choice};
         end
     end
 
@@ -4103,14 +4080,9 @@ endmodule
 // Queue of two in registers.
 // width = 27
 module stream_skid_w27 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [26:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [26:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
 );
     reg second_valid;
     reg [26:0] head, second;
@@ -4136,17 +4108,14 @@ module stream_skid_w27 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4154,8 +4123,7 @@ endmodule
 // Control of the tile slots: placement, exchange with memory, end of frame.
 // slots = 4
 module splat_tile_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in order of tiles.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -4335,14 +4303,39 @@ module splat_tile_cache (
     input  wire [15:0] drain_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drain_cardinal_0  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
-    reg head_valid, head_end;
-    reg [31:0] head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx, head_my;
-    reg [23:0] head_depth, head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
-    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
-    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
-    reg [2:0] head_left, head_right, head_top, head_bottom;
-    reg [11:0] head_tile;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [31:0] head_center_x;  // Projected center (px), the origin of what follows.
+    reg [31:0] head_center_y;  // Projected center (px), the origin of what follows.
+    reg [31:0] head_ax;  // `A` in x.
+    reg [31:0] head_bx;  // `B` in x.
+    reg [31:0] head_ay;  // `A` in y.
+    reg [31:0] head_by;  // `B` in y.
+    reg [31:0] head_delta;  // The determinant of `A` and `B`.
+    reg [31:0] head_mx;  // `m` in x.
+    reg [31:0] head_my;  // `m` in y.
+    reg [23:0] head_depth;  // Depth.
+    reg [23:0] head_depth_low;  // What is nearer hides the splat.
+    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] head_attribute_0;  // Attributes.
+    reg [15:0] head_attribute_1;  // Attributes.
+    reg [15:0] head_attribute_2;  // Attributes.
+    reg [15:0] head_attribute_3;  // Attributes.
+    reg [15:0] head_attribute_4;  // Attributes.
+    reg [15:0] head_attribute_5;  // Attributes.
+    reg [15:0] head_attribute_6;  // Attributes.
+    reg [15:0] head_attribute_7;  // Attributes.
+    reg [15:0] head_attribute_8;  // Attributes.
+    reg [15:0] head_attribute_9;  // Attributes.
+    reg [15:0] head_attribute_10;  // Attributes.
+    reg [15:0] head_attribute_11;  // Attributes.
+    reg [15:0] head_attribute_12;  // Attributes.
+    reg [15:0] head_cardinal_0;  // Attributes.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
@@ -4387,35 +4380,40 @@ module splat_tile_cache (
     wire [338:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire term_1 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    wire term_2 = mode == 3'd5;
-    wire draining = term_2 | (moving & evict);
-    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & term_3;
-    wire term_4 = mode == 3'd0;
-    wire term_5 = mode == 3'd4;
-    wire term_6 = mode == 3'd3;
+    wire mode_is_6 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
+    wire mode_is_5 = mode == 3'd5;
+    wire draining = mode_is_5 | (moving & evict);
+    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & drain_step_either;
+    wire mode_is_0 = mode == 3'd0;
+    wire mode_is_4 = mode == 3'd4;
+    wire mode_is_3 = mode == 3'd3;
     wire head_takes = ~head_valid;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_7 = head_waits & ~head_end;
-    wire term_8 = resident_0 & is_of_copy_0;
-    wire term_9 = resident_1 & is_of_copy_1;
-    wire term_10 = resident_2 & is_of_copy_2;
-    wire term_11 = resident_3 & is_of_copy_3;
-    wire copy_hit = |{term_8, term_9, term_10, term_11};
-    wire term_12 = (term_8 & &in_flight_0) | (term_9 & &in_flight_1) | (term_10 & &in_flight_2);
-    wire term_13 = out_queue_in_ready & ~(term_12 | (term_11 & &in_flight_3));
-    wire send = term_7 & (copy_hit & term_13);
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
+    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
+    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
+    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
+    wire [3:0] copy_hit_bits = {
+        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
+        resident_3_and_is_of_copy_3
+    };
+    wire copy_hit = |copy_hit_bits;
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
+    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_2));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_14 = send | send_end;
-    wire [1:0] copy_slot = ({2{term_9}} & 2'd1) | ({2{term_10}} & 2'd2) | {2{term_11}};
+    wire send_or_send_end = send | send_end;
+    wire [1:0] copy_slot_either = ({2{resident_1_and_is_of_copy_1}} & 2'd1) | ({2{resident_2_and_is_of_copy_2}} & 2'd2);
+    wire [1:0] copy_slot = copy_slot_either | {2{resident_3_and_is_of_copy_3}};
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_15 = term_1 & beat;
-    wire [27:0] choice_16 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_16;
+    wire mode_is_6_and_beat = mode_is_6 & beat;
+    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
+    wire visible = |visible_choice;
     wire in_queue_out_end = in_queue_out_data[608];
     wire [31:0] in_queue_out_center_x = in_queue_out_data[607:576];
     wire [31:0] in_queue_out_center_y = in_queue_out_data[575:544];
@@ -4449,50 +4447,55 @@ module splat_tile_cache (
     wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
-    wire term_17 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_17);
-    wire term_18 = showing | holding;
-    wire term_19 = (term_2 & (drained[6] & ~term_18)) | (term_1 & drained[6]);
-    wire next_tile = term_19 | (term_5 & ~touched);
-    wire term_20 = resident_1 & is_of_code_1;
-    wire term_21 = resident_2 & is_of_code_2;
-    wire term_22 = resident_3 & is_of_code_3;
-    wire sent_hit = |{resident_0 & is_of_code_0, term_20, term_21, term_22};
-    wire [2:0] choice_23 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_24 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_23;
-    wire term_25 = next == 2'd0;
-    wire term_26 = next == 2'd1;
-    wire term_27 = (term_25 & (in_flight_0 == 8'd0)) | (term_26 & (in_flight_1 == 8'd0));
-    wire term_28 = next == 2'd2;
-    wire term_29 = next == 2'd3;
-    wire term_30 = term_27 | (term_28 & (in_flight_2 == 8'd0)) | (term_29 & (in_flight_3 == 8'd0));
-    wire start = term_7 & (~copy_hit & (term_17 & term_30));
-    wire term_31 = ~evict | (drained[6] & ~(term_18 | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & term_31));
-    wire term_32 = start | term_5;
-    wire [1:0] sent_slot = ({2{term_20}} & 2'd1) | ({2{term_21}} & 2'd2) | {2{term_22}};
-    wire term_33 = touched & (looked | (term_5 & ~sent_hit));
-    wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
-    wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
-    wire term_36 = looked | term_5;
+    wire finish_inverted = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
+    wire showing_or_holding = showing | holding;
+    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
+    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
+    wire resident_1_and_is_of_code_1 = resident_1 & is_of_code_1;
+    wire resident_2_and_is_of_code_2 = resident_2 & is_of_code_2;
+    wire resident_3_and_is_of_code_3 = resident_3 & is_of_code_3;
+    wire [3:0] sent_hit_bits = {
+        resident_0 & is_of_code_0, resident_1_and_is_of_code_1, resident_2_and_is_of_code_2,
+        resident_3_and_is_of_code_3
+    };
+    wire sent_hit = |sent_hit_bits;
+    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
+    wire next_is_0 = next == 2'd0;
+    wire next_is_1 = next == 2'd1;
+    wire start_either = (next_is_0 & (in_flight_0 == 8'd0)) | (next_is_1 & (in_flight_1 == 8'd0));
+    wire next_is_2 = next == 2'd2;
+    wire next_is_3 = next == 2'd3;
+    wire start_either_2 = start_either | (next_is_2 & (in_flight_2 == 8'd0)) | (next_is_3 & (in_flight_3 == 8'd0));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_2));
+    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire start_or_mode_is_4 = start | mode_is_4;
+    wire [1:0] sent_slot_either = ({2{resident_1_and_is_of_code_1}} & 2'd1) | ({2{resident_2_and_is_of_code_2}} & 2'd2);
+    wire [1:0] sent_slot = sent_slot_either | {2{resident_3_and_is_of_code_3}};
+    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
+    wire evict_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire [11:0] evict_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
+    wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire term_37 = start & term_25;
-    wire term_38 = done & (slot == 2'd0);
-    wire term_39 = send & (copy_slot == 2'd0);
-    wire term_40 = retire_valid & (retire_slot == 2'd0);
-    wire term_41 = start & term_26;
-    wire term_42 = done & (slot == 2'd1);
-    wire term_43 = send & (copy_slot == 2'd1);
-    wire term_44 = retire_valid & (retire_slot == 2'd1);
-    wire term_45 = start & term_28;
-    wire term_46 = done & (slot == 2'd2);
-    wire term_47 = send & (copy_slot == 2'd2);
-    wire term_48 = retire_valid & (retire_slot == 2'd2);
-    wire term_49 = start & term_29;
-    wire term_50 = done & (slot == 2'd3);
-    wire term_51 = send & (copy_slot == 2'd3);
-    wire term_52 = retire_valid & (retire_slot == 2'd3);
+    wire start_and_next_is_0 = start & next_is_0;
+    wire ready_0_both = done & (slot == 2'd0);
+    wire in_flight_0_both = send & (copy_slot == 2'd0);
+    wire in_flight_0_enable_both = retire_valid & (retire_slot == 2'd0);
+    wire start_and_next_is_1 = start & next_is_1;
+    wire ready_1_both = done & (slot == 2'd1);
+    wire in_flight_1_both = send & (copy_slot == 2'd1);
+    wire in_flight_1_enable_both = retire_valid & (retire_slot == 2'd1);
+    wire start_and_next_is_2 = start & next_is_2;
+    wire ready_2_both = done & (slot == 2'd2);
+    wire in_flight_2_both = send & (copy_slot == 2'd2);
+    wire in_flight_2_enable_both = retire_valid & (retire_slot == 2'd2);
+    wire start_and_next_is_3 = start & next_is_3;
+    wire ready_3_both = done & (slot == 2'd3);
+    wire in_flight_3_both = send & (copy_slot == 2'd3);
+    wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
 
     assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
@@ -4525,15 +4528,13 @@ module splat_tile_cache (
     assign drain_pixel = drained[5:0];
 
     memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
-        .clk(clk),
-        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
-        .write_data(looked),
-        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
+        .write_address(looked ? read_tile : code), .write_data(looked),
+        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
     stream_half_buffer_w609 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4545,8 +4546,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w611 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_14), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
@@ -4559,8 +4559,7 @@ module splat_tile_cache (
     );
 
     stream_skid_w338 write_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
         .in_data({
             evict_tile, held_pixel, drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1,
             drain_attribute_2, drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6,
@@ -4571,18 +4570,19 @@ module splat_tile_cache (
     );
 
     stream_skid_w339 pixel_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_15) & visible)), .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
+        .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, code, term_2 ? held_pixel : drained[5:0], choice_16, term_2 ? drain_depth : data_depth,
-            term_2 ? drain_peak : data_peak, term_2 ? drain_attribute_0 : data_attribute_0,
-            term_2 ? drain_attribute_1 : data_attribute_1, term_2 ? drain_attribute_2 : data_attribute_2,
-            term_2 ? drain_attribute_3 : data_attribute_3, term_2 ? drain_attribute_4 : data_attribute_4,
-            term_2 ? drain_attribute_5 : data_attribute_5, term_2 ? drain_attribute_6 : data_attribute_6,
-            term_2 ? drain_attribute_7 : data_attribute_7, term_2 ? drain_attribute_8 : data_attribute_8,
-            term_2 ? drain_attribute_9 : data_attribute_9, term_2 ? drain_attribute_10 : data_attribute_10,
-            term_2 ? drain_attribute_11 : data_attribute_11, term_2 ? drain_attribute_12 : data_attribute_12,
-            term_2 ? drain_cardinal_0 : data_cardinal_0
+            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
+            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_peak : data_peak,
+            mode_is_5 ? drain_attribute_0 : data_attribute_0, mode_is_5 ? drain_attribute_1 : data_attribute_1,
+            mode_is_5 ? drain_attribute_2 : data_attribute_2, mode_is_5 ? drain_attribute_3 : data_attribute_3,
+            mode_is_5 ? drain_attribute_4 : data_attribute_4, mode_is_5 ? drain_attribute_5 : data_attribute_5,
+            mode_is_5 ? drain_attribute_6 : data_attribute_6, mode_is_5 ? drain_attribute_7 : data_attribute_7,
+            mode_is_5 ? drain_attribute_8 : data_attribute_8, mode_is_5 ? drain_attribute_9 : data_attribute_9,
+            mode_is_5 ? drain_attribute_10 : data_attribute_10,
+            mode_is_5 ? drain_attribute_11 : data_attribute_11,
+            mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
         }),
         .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
@@ -4615,40 +4615,40 @@ module splat_tile_cache (
             in_flight_3 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_14 : in_queue_out_valid;
-            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_24;
-            code_read <= term_6 & ~code_read;
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
+            code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
-            if (term_4 | next_tile) code <= code + 12'd1;
+            if (mode_is_0 | next_tile) code <= code + 12'd1;
             if (looked | done) moving <= looked;
-            if (term_33 | read_ready) read_valid <= term_33;
+            if (read_valid_both | read_ready) read_valid <= read_valid_both;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) next <= (term_29 | close) ? 2'd0 : (next + 2'd1);
-            if (term_37 | close) resident_0 <= term_37;
-            if (term_38 | term_37 | finish) ready_0 <= term_38;
-            if (term_39 ^ term_40) begin
-                in_flight_0 <= term_39 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (start | close) next <= (next_is_3 | close) ? 2'd0 : (next + 2'd1);
+            if (start_and_next_is_0 | close) resident_0 <= start_and_next_is_0;
+            if (ready_0_both | start_and_next_is_0 | finish) ready_0 <= ready_0_both;
+            if (in_flight_0_both ^ in_flight_0_enable_both) begin
+                in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_41 | close) resident_1 <= term_41;
-            if (term_42 | term_41 | finish) ready_1 <= term_42;
-            if (term_43 ^ term_44) begin
-                in_flight_1 <= term_43 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (start_and_next_is_1 | close) resident_1 <= start_and_next_is_1;
+            if (ready_1_both | start_and_next_is_1 | finish) ready_1 <= ready_1_both;
+            if (in_flight_1_both ^ in_flight_1_enable_both) begin
+                in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
-            if (term_45 | close) resident_2 <= term_45;
-            if (term_46 | term_45 | finish) ready_2 <= term_46;
-            if (term_47 ^ term_48) begin
-                in_flight_2 <= term_47 ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
+            if (start_and_next_is_2 | close) resident_2 <= start_and_next_is_2;
+            if (ready_2_both | start_and_next_is_2 | finish) ready_2 <= ready_2_both;
+            if (in_flight_2_both ^ in_flight_2_enable_both) begin
+                in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
             end
-            if (term_49 | close) resident_3 <= term_49;
-            if (term_50 | term_49 | finish) ready_3 <= term_50;
-            if (term_51 ^ term_52) begin
-                in_flight_3 <= term_51 ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            if (start_and_next_is_3 | close) resident_3 <= start_and_next_is_3;
+            if (ready_3_both | start_and_next_is_3 | finish) ready_3 <= ready_3_both;
+            if (in_flight_3_both ^ in_flight_3_enable_both) begin
+                in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
             end
         end
     end
@@ -4687,32 +4687,34 @@ module splat_tile_cache (
             head_bottom <= in_queue_out_bottom;
             head_tile <= in_queue_out_tile;
         end
-        if (term_32) begin
-            slot <= term_5 ? sent_slot : next;
-            read_tile <= term_5 ? code : head_tile;
+        if (start_or_mode_is_4) begin
+            slot <= mode_is_4 ? sent_slot : next;
+            read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
-            evict <= term_34 | (term_29 & resident_3);
-            evict_tile <= term_35 | ({12{term_29}} & tile_3);
+            evict <= evict_either | (next_is_3 & resident_3);
+            evict_tile <= evict_tile_either | ({12{next_is_3}} & tile_3);
         end
         if (looked) load <= touched;
-        if (term_36 | (drain_next | term_15)) drained <= term_36 ? 7'd0 : (drained + 7'd1);
+        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
+            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
+        end
         if (drain_next) shown_pixel <= drained[5:0];
         if (drain_step) held_pixel <= shown_pixel;
-        if (term_36 | fill) filled <= term_36 ? 7'd0 : (filled + 7'd1);
-        if (term_37) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_37);
+        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
+        if (start_and_next_is_0) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_41);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
         is_of_code_1 <= tile_1 == code;
-        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | term_45);
+        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
         is_of_code_2 <= tile_2 == code;
-        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | term_49);
+        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
         is_of_code_3 <= tile_3 == code;
         touched <= stored_touched;
-        if (term_41) tile_1 <= head_tile;
-        if (term_45) tile_2 <= head_tile;
-        if (term_49) tile_3 <= head_tile;
+        if (start_and_next_is_1) tile_1 <= head_tile;
+        if (start_and_next_is_2) tile_2 <= head_tile;
+        if (start_and_next_is_3) tile_3 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -4736,41 +4738,26 @@ module splat_tile_cache (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~term_40 | |in_flight_0)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                slot_0_retires_what_entered: assert (0);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
+        slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
+        slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
 `else
-                $display("assertion failed: slot_0_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_44 | |in_flight_1)) begin
-`ifdef FORMAL
-                slot_1_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_1_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_48 | |in_flight_2)) begin
-`ifdef FORMAL
-                slot_2_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_2_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_52 | |in_flight_3)) begin
-`ifdef FORMAL
-                slot_3_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_3_retires_what_entered in %m");
-                $stop;
-`endif
-            end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
+        if (!(~in_flight_1_enable_both | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_2_enable_both | |in_flight_2)) begin
+            $display("assertion failed: slot_2_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_3_enable_both | |in_flight_3)) begin
+            $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -4778,14 +4765,9 @@ endmodule
 // Queue of two in registers.
 // width = 339
 module stream_skid_w339 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [338:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [338:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
 );
     reg second_valid;
     reg [338:0] head, second;
@@ -4811,17 +4793,14 @@ module stream_skid_w339 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4829,14 +4808,9 @@ endmodule
 // Queue of two in registers.
 // width = 338
 module stream_skid_w338 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [337:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [337:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [337:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [337:0] out_data
 );
     reg second_valid;
     reg [337:0] head, second;
@@ -4862,17 +4836,14 @@ module stream_skid_w338 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4880,14 +4851,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 611
 module stream_half_buffer_w611 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [610:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [610:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [610:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [610:0] out_data
 );
     reg full;
     reg [610:0] item;
@@ -4898,22 +4864,16 @@ module stream_half_buffer_w611 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
 // levels = 12
 module splat_reorder (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in any order.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -5025,14 +4985,12 @@ module splat_reorder (
     } = out_queue_out_data;
 
     memory_1w1r_unordered #(.WIDTH(596), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk),
-        .write(offer), .write_address(free), .write_data(in_queue_out_data[607:12]),
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[607:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w609 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -5044,30 +5002,27 @@ module splat_reorder (
     );
 
     stream_half_buffer_w609 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w609 caught (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk), .rst(rst),
-        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+        .in_pointer(free),
         .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d4096_w12 returned (
-        .clk(clk), .rst(rst),
-        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -5092,17 +5047,14 @@ module splat_reorder (
     wire _unused = &{1'b0, returned_in_ready};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~leaving | returned_in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                pointers_fit: assert (0);
+        pointers_fit: assert (~leaving | returned_in_ready);
 `else
-                $display("assertion failed: pointers_fit in %m");
-                $stop;
-`endif
-            end
+        if (!(~leaving | returned_in_ready)) begin
+            $display("assertion failed: pointers_fit in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -5111,14 +5063,9 @@ endmodule
 // depth = 4096
 // width = 12
 module stream_fifo_d4096_w12 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [11:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [11:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
 );
     reg [12:0] held, waiting;
     reg [11:0] write_address, read_address;
@@ -5133,8 +5080,7 @@ module stream_fifo_d4096_w12 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(12), .DEPTH(4096)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -5155,25 +5101,16 @@ module stream_fifo_d4096_w12 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 13'h1000)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 13'h1000);
+        held_is_waiting_and_shown: assert (held == (waiting + {12'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {12'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 13'h1000)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {12'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -5183,8 +5120,7 @@ endmodule
 // interval = 2
 // sequence_bits = 16
 module splat_heap (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Entries in any order.
     output wire in_ready,
     input  wire [11:0] in_tile,  // Tile index.
@@ -5254,8 +5190,8 @@ module splat_heap (
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
     wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire term_1 = push & ~arrival[15];
-    wire term_2 = push & arrival[15];
+    wire push_and_not_arrival_15 = push & ~arrival[15];
+    wire push_and_arrival_15 = push & arrival[15];
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -5263,14 +5199,13 @@ module splat_heap (
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w24 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
+        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
+        .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
@@ -5278,17 +5213,15 @@ module splat_heap (
         .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
         .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
         .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root),
-        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
-        .below_row(stage_0_below_row)
+        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
+        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
@@ -5307,8 +5240,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
@@ -5327,8 +5259,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
         .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
         .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
@@ -5347,8 +5278,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
         .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
         .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
@@ -5367,8 +5297,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
         .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
         .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
@@ -5397,11 +5326,11 @@ module splat_heap (
             fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
             if (push ^ pop) count <= push ? (count + 12'd1) : (count - 12'd1);
             if (push) arrival <= arrival + 16'd1;
-            if (term_1 ^ (pop & ~stage_0_root[27])) begin
-                alive_even <= term_1 ? (alive_even + 12'd1) : (alive_even - 12'd1);
+            if (push_and_not_arrival_15 ^ (pop & ~stage_0_root[27])) begin
+                alive_even <= push_and_not_arrival_15 ? (alive_even + 12'd1) : (alive_even - 12'd1);
             end
-            if (term_2 ^ (pop & stage_0_root[27])) begin
-                alive_odd <= term_2 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
+            if (push_and_arrival_15 ^ (pop & stage_0_root[27])) begin
+                alive_odd <= push_and_arrival_15 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
             end
             if (pop) begin
                 current <= stage_0_root[39:28];
@@ -5422,26 +5351,12 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l10 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [9:0] step_row,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [9:0] promoted_node
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [9:0] step_row,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [9:0] promoted_node
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -5461,69 +5376,73 @@ module splat_heap_stage_l10 (
     wire [43:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_1 = compared_carried[40] == lap;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_sibling_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_sibling_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire term_6 = ~(chosen_left_count | chosen_right_below);
-    wire [11:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_7[0];
+    wire promoted_childless_inverted = ~(chosen_left_count | chosen_right_below);
+    wire [11:0] side_choice = lower ? last_row_before : {1'd0, row_before};
+    wire side = side_choice[0];
     wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire choice_8 = lower ? 1'd0 : compared_exists;
-    wire term_9 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_8) & term_9) : write_back_ahead;
+    wire is_first_choice = lower ? 1'd0 : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_10 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_11 = write_back_hole & ~write_back_carry & choice_8;
-    wire choice_12 = lower ? 1'd0 : compared_right;
-    wire term_13 = write_back_right_below & ~(term_11 & choice_12 & (lower ? 1'd0 : term_6));
-    wire term_14 = ~write_back_hole & write_back_existed;
-    wire term_15 = ~choice_12;
-    wire sum_16 = write_back_left_count + ((term_11 & term_15) | (term_14 & term_15));
-    wire [43:0] node_to_store = {entry_to_store, term_10, term_13 | (term_14 & choice_12), sum_16};
-    wire choice_17 = lower ? compared_hole : step_hole;
-    wire choice_18 = lower ? chosen_left_count : step_left_exists;
-    wire choice_19 = lower ? chosen_right_below : step_right_exists;
-    wire choice_20 = lower ? compared_follows : step_follows;
-    wire newer = choice_20 & write_back_valid;
-    wire choice_21 = (choice_18 & choice_19) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_19;
-    wire goes_right = choice_17 ? choice_21 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? 1'd0 : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [43:0] node_to_store = {
+        entry_to_store, node_to_store_unequal, node_to_store_either,
+        write_back_left_count + node_to_store_either_2
+    };
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? (chosen_left_count | ~lower) : step_right;
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_22 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire [10:0] row_choice = lower ? {1'd0, step_row} : next_row[10:0];
     wire same_side = goes_right ^ ~side;
     wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
-    wire [40:0] choice_23 = ~goes_right ? right_shown[43:3] : left_shown[43:3];
-    wire [27:0] joined_24 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_24);
-    wire term_25 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[43:3] : left_shown[43:3];
+    wire before_sibling_in_order = before_sibling_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[9:0];
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_7[11:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[11:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_7[11:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[11:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -5538,18 +5457,18 @@ module splat_heap_stage_l10 (
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_17;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_20 & same_side;
+        compared_follows <= compared_follows_choice & same_side;
         compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_19 : choice_18;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_21;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_23[40:12];
-        compared_sibling_exists <= goes_right ? choice_18 : choice_19;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
         compared_entry <= goes_right ? right_shown[43:3] : left_shown[43:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
@@ -5557,20 +5476,20 @@ module splat_heap_stage_l10 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_25);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
         write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & compared_exists;
         stored <= node_to_store;
-        row <= choice_22;
+        row <= row_choice;
         row_before <= row;
         last_row <= next_row;
         last_row_before <= last_row;
     end
 
-    wire _unused = &{1'b0, choice_23[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5578,42 +5497,18 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [7:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [9:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [7:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [9:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [7:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [9:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [9:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -5635,84 +5530,85 @@ module splat_heap_stage_l8 (
     wire [45:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_1 = compared_carried[40] == lap;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [9:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [9:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [9:0] next_row = {row, goes_right};
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [2:0] sum_26 = write_back_left_count + {{2{term_25}}, term_25 | (term_22 & term_24)};
-    wire [45:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [8:0] choice_27 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
+    wire [45:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [8:0] row_choice = lower ? {1'd0, step_row} : next_row[8:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_28 = ~goes_right ? right_shown[45:5] : left_shown[45:5];
-    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[45:5] : left_shown[45:5];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[7:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[9:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[9:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[9:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -5722,23 +5618,23 @@ module splat_heap_stage_l8 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[40:12];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
         compared_entry <= goes_right ? right_shown[45:5] : left_shown[45:5];
         compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
@@ -5746,18 +5642,18 @@ module splat_heap_stage_l8 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {3{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5765,42 +5661,18 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l6 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [5:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [7:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [5:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [7:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [5:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [7:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -5822,84 +5694,85 @@ module splat_heap_stage_l6 (
     wire [47:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_1 = compared_carried[40] == lap;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [7:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [4:0] sum_26 = write_back_left_count + {{4{term_25}}, term_25 | (term_22 & term_24)};
-    wire [47:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [6:0] choice_27 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
+    wire [47:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [6:0] row_choice = lower ? {1'd0, step_row} : next_row[6:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_28 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[47:7] : left_shown[47:7];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[5:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[7:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[7:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[7:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -5909,23 +5782,23 @@ module splat_heap_stage_l6 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[40:12];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
         compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
         compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
@@ -5933,18 +5806,18 @@ module splat_heap_stage_l6 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {5{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -5952,42 +5825,18 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l4 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [3:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [5:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [3:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [5:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [3:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [5:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -6009,84 +5858,85 @@ module splat_heap_stage_l4 (
     wire [49:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire term_1 = compared_carried[40] == lap;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [5:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [6:0] sum_26 = write_back_left_count + {{6{term_25}}, term_25 | (term_22 & term_24)};
-    wire [49:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [4:0] choice_27 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [6:0] node_to_store_sum = write_back_left_count + {{6{node_to_store_both_4}}, node_to_store_either_2};
+    wire [49:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [4:0] row_choice = lower ? {1'd0, step_row} : next_row[4:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_28 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[49:9] : left_shown[49:9];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[3:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -6096,23 +5946,23 @@ module splat_heap_stage_l4 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[40:12];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
         compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
         compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
@@ -6120,18 +5970,18 @@ module splat_heap_stage_l4 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {7{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6139,42 +5989,18 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
-    input  wire [1:0] step_row,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [3:0] below_promoted_node,
-    output wire [40:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [1:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [3:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [1:0] step_row,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
+    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [3:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -6196,84 +6022,85 @@ module splat_heap_stage_l2 (
     wire [51:0] left_shown, right_shown;
 
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire term_1 = compared_carried[40] == lap;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_40_is_lap = compared_carried[40] == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {
+    wire [27:0] sibling_stays_bits_2 = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [3:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [8:0] sum_26 = write_back_left_count + {{8{term_25}}, term_25 | (term_22 & term_24)};
-    wire [51:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [2:0] choice_27 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [8:0] node_to_store_sum = write_back_left_count + {{8{node_to_store_both_4}}, node_to_store_either_2};
+    wire [51:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [2:0] row_choice = lower ? {1'd0, step_row} : next_row[2:0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_28 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire [27:0] joined_29 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? term_1 : (joined_2 < joined_29);
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[51:11] : left_shown[51:11];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[1:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -6283,23 +6110,23 @@ module splat_heap_stage_l2 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[40:12];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
         compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
         compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
@@ -6307,18 +6134,18 @@ module splat_heap_stage_l2 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {9{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6326,37 +6153,18 @@ endmodule
 // levels = 12
 // interval = 2
 module splat_heap_stage_l0 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [40:0] step_entry,
-    input  wire [28:0] step_sibling,
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [40:0] step_entry, input wire [28:0] step_sibling,
     input  wire newcomer_lap,
-    input  wire [40:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [1:0] below_promoted_node,
+    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
     output wire [40:0] root,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [40:0] below_entry,
-    output wire [28:0] below_sibling,
-    output wire [1:0] below_row
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [1:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
@@ -6377,81 +6185,83 @@ module splat_heap_stage_l0 (
     reg row, row_before;
     wire [53:0] left_shown, right_shown;
 
-    wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & write_back_valid;
-    wire choice_2 = lower ? newcomer_lap : compared_carried[40];
+    wire newer_choice = lower ? compared_follows : step_follows;
+    wire newer = newer_choice & write_back_valid;
+    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[40];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire term_3 = choice_2 == lap;
-    wire [27:0] joined_4 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_5 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_3 : (joined_4 < joined_5);
+    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
+    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] before_chosen_bits_2 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (before_chosen_choice ^ chosen_entry[40]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] joined_6 = {choice_2, compared_carried[39:0]};
-    wire [40:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [40:0] write_back_entry_bits = {before_chosen_choice, compared_carried[39:0]};
+    wire [40:0] first = carried_first ? write_back_entry_bits : chosen_entry;
     wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_7 = compared_valid & compared_exists;
+    wire below_valid_both = compared_valid & compared_exists;
     wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire term_8 = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
+    wire below_right_both = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
     wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
-    wire [40:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [40:0] below_entry_choice = carried_first ? chosen_entry : write_back_entry_bits;
     wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] choice_13 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_13[0];
-    wire choice_14 = lower ? below_promoted_exists : compared_exists;
-    wire [27:0] joined_15 = {
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire [27:0] sibling_stays_bits = {
         compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
         compared_parent_sibling[14:0]
     };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (joined_15 < joined_5);
-    wire choice_16 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire term_17 = ~write_back_sibling_exists | write_back_ahead | choice_16;
-    wire is_first = write_back_hole ? ((write_back_carry | choice_14) & term_17) : write_back_ahead;
+    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits < before_chosen_bits_2);
+    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_12;
-    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [1:0] next_row = {row, goes_right};
-    wire term_19 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_20 = write_back_hole & ~write_back_carry & choice_14;
-    wire choice_21 = lower ? below_promoted_right : compared_right;
-    wire choice_22 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_23 = write_back_right_below & ~(term_20 & choice_21 & choice_22);
-    wire term_24 = ~write_back_hole & write_back_existed;
-    wire term_25 = ~choice_21;
-    wire term_26 = term_20 & term_25;
-    wire [10:0] sum_27 = write_back_left_count + {{10{term_26}}, term_26 | (term_24 & term_25)};
-    wire [53:0] node_to_store = {entry_to_store, term_19, term_23 | (term_24 & choice_21), sum_27};
-    wire choice_28 = lower ? 1'd0 : next_row[0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [10:0] node_to_store_sum = write_back_left_count + {{10{node_to_store_both_4}}, node_to_store_either_2};
+    wire [53:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire row_choice = lower ? 1'd0 : next_row[0];
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_29 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire [27:0] joined_30 = {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (choice_2 ^ sibling[28]) ? term_3 : (joined_4 < joined_30);
-    wire term_31 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[53:13] : left_shown[53:13];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
+    wire before_sibling = (before_chosen_choice ^ sibling[28]) ? before_chosen_choice_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign root = newer ? entry_to_store : right_shown[53:13];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -6461,23 +6271,23 @@ module splat_heap_stage_l0 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_1 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= newer_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_18;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_29[40:12];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[40:12];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
         compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
         compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
@@ -6485,31 +6295,26 @@ module splat_heap_stage_l0 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_31);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {11{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_29[11:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
 endmodule
 
 // Queue of two in registers.
 // width = 24
 module stream_skid_w24 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [23:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [23:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
 );
     reg second_valid;
     reg [23:0] head, second;
@@ -6535,25 +6340,21 @@ module stream_skid_w24 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Footprints with bounds in the image.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -6622,14 +6423,38 @@ module splat_splitter (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last, splat_end;
-    reg [31:0] splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta, splat_mx;
-    reg [31:0] splat_my;
-    reg [23:0] splat_depth, splat_depth_low, splat_depth_high;
-    reg [15:0] splat_attribute_0, splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4;
-    reg [15:0] splat_attribute_5, splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9;
-    reg [15:0] splat_attribute_10, splat_attribute_11, splat_attribute_12, splat_cardinal_0;
-    reg [8:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg busy, idle, last;
+    reg splat_end;  // Closes the frame.
+    reg [31:0] splat_center_x;  // Projected center (px), the origin of what follows.
+    reg [31:0] splat_center_y;  // Projected center (px), the origin of what follows.
+    reg [31:0] splat_ax;  // `A` in x.
+    reg [31:0] splat_bx;  // `B` in x.
+    reg [31:0] splat_ay;  // `A` in y.
+    reg [31:0] splat_by;  // `B` in y.
+    reg [31:0] splat_delta;  // The determinant of `A` and `B`.
+    reg [31:0] splat_mx;  // `m` in x.
+    reg [31:0] splat_my;  // `m` in y.
+    reg [23:0] splat_depth;  // Depth.
+    reg [23:0] splat_depth_low;  // What is nearer hides the splat.
+    reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] splat_attribute_0;  // Attributes.
+    reg [15:0] splat_attribute_1;  // Attributes.
+    reg [15:0] splat_attribute_2;  // Attributes.
+    reg [15:0] splat_attribute_3;  // Attributes.
+    reg [15:0] splat_attribute_4;  // Attributes.
+    reg [15:0] splat_attribute_5;  // Attributes.
+    reg [15:0] splat_attribute_6;  // Attributes.
+    reg [15:0] splat_attribute_7;  // Attributes.
+    reg [15:0] splat_attribute_8;  // Attributes.
+    reg [15:0] splat_attribute_9;  // Attributes.
+    reg [15:0] splat_attribute_10;  // Attributes.
+    reg [15:0] splat_attribute_11;  // Attributes.
+    reg [15:0] splat_attribute_12;  // Attributes.
+    reg [15:0] splat_cardinal_0;  // Attributes.
+    reg [8:0] splat_left;  // First column.
+    reg [8:0] splat_right;  // Last column.
+    reg [8:0] splat_top;  // First row.
+    reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -6638,11 +6463,10 @@ module splat_splitter (
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
     wire take = ready & in_valid;
-    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
-    wire term_2 = in_end | term_1;
-    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
-    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
+    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -6655,8 +6479,7 @@ module splat_splitter (
     } = out_queue_out_data;
 
     stream_half_buffer_w609 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
@@ -6676,14 +6499,14 @@ module splat_splitter (
             idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
-            idle <= take ? term_2 : (~busy | (last | term_5));
+            idle <= take ? idle_either : (~busy | (last | idle_same));
         end
     end
     always @(posedge clk) begin
         if (out_queue_in_ready) begin
-            last <= take ? term_2 : term_5;
-            column <= take ? in_left[8:3] : choice_4;
-            row <= take ? in_top[8:3] : choice_3;
+            last <= take ? idle_either : idle_same;
+            column <= take ? in_left[8:3] : idle_choice_2;
+            row <= take ? in_top[8:3] : idle_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -6724,14 +6547,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 609
 module stream_half_buffer_w609 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [608:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [608:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [608:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [608:0] out_data
 );
     reg full;
     reg [608:0] item;
@@ -6742,91 +6560,85 @@ module stream_half_buffer_w609 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
 // latency = 158
 // initiation_interval = 2
 module splat_setup (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in camera space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [31:0] in_center_x,
-    input  wire [31:0] in_center_y,
-    input  wire [31:0] in_center_z,
-    input  wire [31:0] in_tangent1_x,
-    input  wire [31:0] in_tangent1_y,
-    input  wire [31:0] in_tangent1_z,
-    input  wire [31:0] in_tangent2_x,
-    input  wire [31:0] in_tangent2_y,
-    input  wire [31:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [31:0] filter_radius,
-    input  wire [31:0] scale_x,
-    input  wire [31:0] origin_x,
-    input  wire [31:0] scale_y,
-    input  wire [31:0] origin_y,
-    input  wire [31:0] depth_b,
-    input  wire [31:0] depth_a,
-    input  wire [31:0] epsilon_scale,
-    input  wire [31:0] epsilon_bias,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [31:0] in_center_x,  // Center.
+    input  wire [31:0] in_center_y,  // Center.
+    input  wire [31:0] in_center_z,  // Center.
+    input  wire [31:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [31:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [31:0] scale_x,  // Scale (px).
+    input  wire [31:0] origin_x,  // Where the optical axis meets the image (px).
+    input  wire [31:0] scale_y,  // Scale (px).
+    input  wire [31:0] origin_y,  // Where the optical axis meets the image (px).
+    input  wire [31:0] depth_b,  // See `depth_a`.
+    input  wire [31:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [31:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [31:0] epsilon_bias,  // Constant part.
+    output wire out_valid,  // Footprints with bounds.
     input  wire out_ready,
-    output wire out_end,
-    output wire [31:0] out_center_x,
-    output wire [31:0] out_center_y,
-    output wire [31:0] out_ax,
-    output wire [31:0] out_bx,
-    output wire [31:0] out_ay,
-    output wire [31:0] out_by,
-    output wire [31:0] out_delta,
-    output wire [31:0] out_mx,
-    output wire [31:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [8:0] out_left,
-    output wire [8:0] out_right,
-    output wire [8:0] out_top,
-    output wire [8:0] out_bottom
+    output wire out_end,  // Closes the frame.
+    output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [31:0] out_ax,  // `A` in x.
+    output wire [31:0] out_bx,  // `B` in x.
+    output wire [31:0] out_ay,  // `A` in y.
+    output wire [31:0] out_by,  // `B` in y.
+    output wire [31:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [31:0] out_mx,  // `m` in x.
+    output wire [31:0] out_my,  // `m` in y.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0,  // Attributes.
+    output wire [8:0] out_left,  // First column.
+    output wire [8:0] out_right,  // Last column.
+    output wire [8:0] out_top,  // First row.
+    output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
     reg [31:0] delay_5_from_0 [0:3];
@@ -6907,24 +6719,27 @@ module splat_setup (
     reg delay_29_from_1_out;
     reg [5:0] delay_50_from_1_pointer;
     reg [127:0] delay_50_from_1_out;
-    reg [31:0] add_33_d1, add_33_d2, add_33_d3, add_33_d4;
+    reg [31:0] q_d1, q_d2, q_d3, q_d4;
     reg whole_d47, whole_d48, whole_d49;
-    reg [31:0] mul_44_d1, mul_44_d2, mul_44_d3, mul_44_d4, mul_48_d1, mul_50_d1, mul_50_d2, mul_50_d3, mul_50_d4;
-    reg [31:0] mul_54_d1, mul_66_d1, mul_66_d2, mul_66_d3, mul_66_d4;
-    reg [21:0] shr_93_d1, select_96_d1, select_96_d2, select_96_d3, min_97_d1;
-    reg [8:0] resize_101_d1, resize_102_d1;
-    reg lt_103_d1;
-    reg [31:0] mul_109_d1, mul_109_d2, mul_109_d3, mul_109_d4, mul_113_d1, mul_115_d1, mul_115_d2, mul_115_d3;
-    reg [31:0] mul_115_d4, mul_119_d1, mul_131_d1, mul_131_d2, mul_131_d3, mul_131_d4, add_139_d1;
-    reg [21:0] shr_153_d1, select_154_d1, select_154_d2, select_154_d3, min_155_d1;
-    reg [8:0] resize_158_d1, resize_159_d1;
-    reg lt_160_d1;
-    reg [31:0] mul_162_d1;
-    reg equal_171_d1;
-    reg [7:0] bits_172_d1, bits_172_d2, bits_172_d3;
-    reg lt_174_d1;
-    reg [31:0] mul_185_d29, add_187_d1, abs_191_d1, sqrt_192_d1, mul_194_d1, mul_194_d2, mul_194_d3, mul_194_d4;
-    reg and_213_d1;
+    reg [31:0] r_times_tangent1_x_d1, r_times_tangent1_x_d2, r_times_tangent1_x_d3, r_times_tangent1_x_d4, a_x_d1;
+    reg [31:0] r_times_tangent2_x_d1, r_times_tangent2_x_d2, r_times_tangent2_x_d3, r_times_tangent2_x_d4, b_x_d1;
+    reg [31:0] h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4;
+    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_lesser_d1;
+    reg [8:0] first_x_d1, last_x_d1;
+    reg occupied_x_d1;
+    reg [31:0] r_times_tangent1_y_d1, r_times_tangent1_y_d2, r_times_tangent1_y_d3, r_times_tangent1_y_d4, a_y_d1;
+    reg [31:0] r_times_tangent2_y_d1, r_times_tangent2_y_d2, r_times_tangent2_y_d3, r_times_tangent2_y_d4, b_y_d1;
+    reg [31:0] h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4, center_y_minus_filter_radius_d1;
+    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3, last_y_lesser_d1;
+    reg [8:0] first_y_d1, last_y_d1;
+    reg occupied_y_d1;
+    reg [31:0] a_x_times_b_y_d1;
+    reg delta_bits_is_zero_d1;
+    reg [7:0] a_x_times_b_y_bits_d1, a_x_times_b_y_bits_d2, a_x_times_b_y_bits_d3;
+    reg edge_on_in_order_d1;
+    reg [31:0] b_depth_d29, center_depth_d1, abs_b_depth_d1, root_of_q_d1, spread_half_d1, spread_half_d2;
+    reg [31:0] spread_half_d3, spread_half_d4;
+    reg visible_d1;
     reg [31:0] recip_f32_ftz_unit_a, mul_f32_ftz_unit_a, mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a;
     reg [31:0] mul_f32_ftz_unit_copy2_b, mul_f32_ftz_unit_copy3_a, mul_f32_ftz_unit_copy3_b;
     reg [31:0] mul_f32_ftz_unit_copy4_a, mul_f32_ftz_unit_copy4_b, mul_f32_ftz_unit_copy5_a;
@@ -6984,55 +6799,106 @@ module splat_setup (
     wire le_f32_ftz_unit_y;
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_y, to_fixed_f32_ftz_u24q24_unit_copy2_y;
 
-    wire or_215 = delay_79_from_0_out[0] | and_213_d1;
-    wire term_1 = in_flight[78] & or_215 & ~phase;
-    wire [31:0] select_216 = delay_42_from_0_out ? 32'h7fc00000 : delay_43_from_0_out[31:0];
+    wire end_d79 = delay_79_from_0_out[0];
+    wire end_or_visible = end_d79 | visible_d1;
+    wire queue_in_valid_both = in_flight[78] & end_or_visible & ~phase;
+    wire [31:0] center_x_d54 = delay_12_from_0_out[31:0];
+    wire [31:0] center_y_d54 = delay_12_from_0_out[63:32];
+    wire [31:0] a_x_d51 = delay_50_from_1_out[31:0];
+    wire [31:0] b_x_d51 = delay_50_from_1_out[63:32];
+    wire [31:0] a_y_d51 = delay_50_from_1_out[95:64];
+    wire [31:0] b_y_d51 = delay_50_from_1_out[127:96];
+    wire [31:0] delta_d43 = delay_43_from_0_out[31:0];
+    wire [31:0] delta_out = delay_42_from_0_out ? 32'h7fc00000 : delta_d43;
+    wire [31:0] mx_d43 = delay_43_from_0_out[63:32];
+    wire [31:0] my_d43 = delay_43_from_0_out[95:64];
+    wire [23:0] depth_out_d17 = delay_17_from_0_out[87:64];
+    wire [23:0] depth_low_out_d7 = delay_7_from_1_out[55:32];
+    wire [23:0] depth_high_out_d7 = delay_7_from_1_out[79:56];
+    wire [15:0] attribute_0_d79 = delay_79_from_0_out[16:1];
+    wire [15:0] attribute_1_d79 = delay_79_from_0_out[32:17];
+    wire [15:0] attribute_2_d79 = delay_79_from_0_out[48:33];
+    wire [15:0] attribute_3_d79 = delay_79_from_0_out[64:49];
+    wire [15:0] attribute_4_d79 = delay_79_from_0_out[80:65];
+    wire [15:0] attribute_5_d79 = delay_79_from_0_out[96:81];
+    wire [15:0] attribute_6_d79 = delay_79_from_0_out[112:97];
+    wire [15:0] attribute_7_d79 = delay_79_from_0_out[128:113];
+    wire [15:0] attribute_8_d79 = delay_79_from_0_out[144:129];
+    wire [15:0] attribute_9_d79 = delay_79_from_0_out[160:145];
+    wire [15:0] attribute_10_d79 = delay_79_from_0_out[176:161];
+    wire [15:0] attribute_11_d79 = delay_79_from_0_out[192:177];
+    wire [15:0] attribute_12_d79 = delay_79_from_0_out[208:193];
+    wire [15:0] cardinal_0_d79 = delay_79_from_0_out[224:209];
     wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
-    wire term_2 = queue_out_valid & ~out_ready & (~queue_in_ready | term_1);
-    wire advance_next = ~term_2;
-    wire [21:0] add_92 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] add_84 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_96 = delay_17_from_1_out ? (add_84 >> 8) : 22'd0;
-    wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
-    wire [21:0] select_98 = whole_d49 ? min_97_d1 : 22'd512;
-    wire [21:0] sub_100 = select_98 - 22'd1;
-    wire lt_103 = select_96_d3 < select_98;
-    wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] select_154 = delay_17_from_1_out ? (add_146 >> 8) : 22'd0;
-    wire [21:0] min_155 = (shr_153_d1 < 22'd512) ? shr_153_d1 : 22'd512;
-    wire [21:0] select_156 = whole_d49 ? min_155_d1 : 22'd512;
-    wire [21:0] sub_157 = select_156 - 22'd1;
-    wire lt_160 = select_154_d3 < select_156;
-    wire [8:0] joined_3 = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
-    wire equal_171 = joined_3 == 9'd0;
-    wire [8:0] add_169 = joined_3 + 9'd20;
-    wire lt_174 = add_169 < {1'd0, bits_172_d3};
-    wire and_207 = lt_103_d1 & delay_19_from_0_out;
-    wire and_208 = lt_160_d1 & and_207;
-    wire or_212 = delay_42_from_0_out | delay_43_from_0_out[96];
-    wire and_213 = and_208 & or_212;
-    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
-    wire [31:0] choice_5 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-    wire [31:0] choice_6 = phase ? recip_f32_ftz_unit_y : scale_y;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] first_x_chosen = delay_17_from_1_out ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [8:0] first_x = first_x_chosen_d3[8:0];
+    wire [21:0] last_x_chosen = whole_d49 ? last_x_lesser_d1 : 22'd512;
+    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
+    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
+    wire occupied_x = first_x_chosen_d3 < last_x_chosen;
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] first_y_chosen = delay_17_from_1_out ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [8:0] first_y = first_y_chosen_d3[8:0];
+    wire [21:0] last_y_chosen = whole_d49 ? last_y_lesser_d1 : 22'd512;
+    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
+    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
+    wire occupied_y = first_y_chosen_d3 < last_y_chosen;
+    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
+    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] delta_bits_plus_20 = delta_bits_is_zero_bits + 9'd20;
+    wire edge_on_in_order = delta_bits_plus_20 < {1'd0, a_x_times_b_y_bits_d3};
+    wire visible_both = occupied_x_d1 & delay_19_from_0_out;
+    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both;
+    wire visible_unequal_d43 = delay_43_from_0_out[96];
+    wire edge_on_or_visible_unequal = delay_42_from_0_out | visible_unequal_d43;
+    wire visible = occupied_y_and_visible_both & edge_on_or_visible_unequal;
+    wire [31:0] mul_f32_ftz_unit_a_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
+    wire [31:0] tangent1_z_d15 = delay_15_from_0_out[31:0];
+    wire [31:0] mul_f32_ftz_unit_copy2_a_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
+    wire [31:0] tangent2_z_d15 = delay_15_from_0_out[63:32];
+    wire [31:0] center_x_d15 = delay_15_from_0_out[95:64];
+    wire [31:0] tangent1_x_d15 = delay_15_from_0_out[127:96];
+    wire [31:0] tangent2_x_d15 = delay_15_from_0_out[159:128];
+    wire [31:0] alpha_d11 = delay_11_from_0_out[31:0];
+    wire [31:0] beta_d11 = delay_11_from_0_out[63:32];
+    wire [31:0] t_x_sum_d8 = delay_8_from_1_out[31:0];
+    wire [31:0] a_x_squared_plus_b_x_squared_d8 = delay_8_from_1_out[63:32];
+    wire [31:0] mul_f32_ftz_unit_copy11_a_choice = phase ? recip_f32_ftz_unit_y : scale_y;
+    wire [31:0] center_y_d15 = delay_15_from_0_out[191:160];
+    wire [31:0] tangent1_y_d15 = delay_15_from_0_out[223:192];
+    wire [31:0] tangent2_y_d15 = delay_15_from_0_out[255:224];
+    wire [31:0] t_y_sum_d8 = delay_8_from_1_out[95:64];
+    wire [31:0] a_y_squared_plus_b_y_squared_d8 = delay_8_from_1_out[127:96];
     wire beyond_near = delay_29_from_1_out & le_f32_ftz_unit_y;
-    wire [31:0] select_201 = beyond_near ? delay_5_from_0_out : min_f32_ftz_unit_copy3_y;
-    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
-    wire [31:0] joined_8 = {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]};
-    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
-    wire [31:0] joined_10 = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
-    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
-    wire [31:0] joined_12 = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
-    wire [31:0] joined_14 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
-    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
-    wire [31:0] joined_16 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-    wire [31:0] joined_17 = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
-    wire [31:0] joined_18 = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
-    wire [31:0] select_199 = beyond_near ? delay_5_from_1_out : delay_8_from_1_out[159:128];
-    wire edge_on = equal_171_d1 | lt_174_d1;
-    wire xor_210 = scale_x[31] ^ scale_y[31];
-    wire xor_211 = add_f32_ftz_unit_copy11_y[31] ^ xor_210;
+    wire [31:0] half_depth = beyond_near ? delay_5_from_0_out : min_f32_ftz_unit_copy3_y;
+    wire [31:0] center_x_d22 = delay_22_from_0_out[31:0];
+    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy6_b_bits = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
+    wire [31:0] center_x_d42 = delay_20_from_0_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy7_b_bits = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
+    wire [31:0] minus_filter_radius = {~filter_radius[31], filter_radius[30:0]};
+    wire [31:0] center_y_d22 = delay_22_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy9_b_bits = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
+    wire [31:0] center_y_d42 = delay_20_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy12_b_bits_2 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy13_b_bits = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
+    wire [31:0] middle_depth_d7 = delay_7_from_1_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy15_b_bits = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] center_depth_d9 = delay_8_from_1_out[159:128];
+    wire [31:0] middle_depth = beyond_near ? delay_5_from_1_out : center_depth_d9;
+    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire visible_unequal = scale_x[31] ^ scale_y[31];
+    wire visible_unequal_copy2 = add_f32_ftz_unit_copy11_y[31] ^ visible_unequal;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -7045,8 +6911,7 @@ module splat_setup (
     } = queue_out_data;
 
     memory_1w1r #(.WIDTH(225), .DEPTH(78)) delay_79_from_0 (
-        .clk(clk),
-        .write(load_0), .write_address(delay_79_from_0_pointer),
+        .clk(clk), .write(load_0), .write_address(delay_79_from_0_pointer),
         .write_data({
             in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
             in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
@@ -7056,19 +6921,13 @@ module splat_setup (
     );
 
     stream_skid_w621 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_1), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            delay_79_from_0_out[0], delay_12_from_0_out[31:0], delay_12_from_0_out[63:32],
-            delay_50_from_1_out[31:0], delay_50_from_1_out[63:32], delay_50_from_1_out[95:64],
-            delay_50_from_1_out[127:96], select_216, delay_43_from_0_out[63:32], delay_43_from_0_out[95:64],
-            delay_17_from_0_out[87:64], delay_7_from_1_out[55:32], delay_7_from_1_out[79:56],
-            delay_79_from_0_out[16:1], delay_79_from_0_out[32:17], delay_79_from_0_out[48:33],
-            delay_79_from_0_out[64:49], delay_79_from_0_out[80:65], delay_79_from_0_out[96:81],
-            delay_79_from_0_out[112:97], delay_79_from_0_out[128:113], delay_79_from_0_out[144:129],
-            delay_79_from_0_out[160:145], delay_79_from_0_out[176:161], delay_79_from_0_out[192:177],
-            delay_79_from_0_out[208:193], delay_79_from_0_out[224:209], resize_101_d1, resize_102_d1,
-            resize_158_d1, resize_159_d1
+            end_d79, center_x_d54, center_y_d54, a_x_d51, b_x_d51, a_y_d51, b_y_d51, delta_out, mx_d43, my_d43,
+            depth_out_d17, depth_low_out_d7, depth_high_out_d7, attribute_0_d79, attribute_1_d79, attribute_2_d79,
+            attribute_3_d79, attribute_4_d79, attribute_5_d79, attribute_6_d79, attribute_7_d79, attribute_8_d79,
+            attribute_9_d79, attribute_10_d79, attribute_11_d79, attribute_12_d79, cardinal_0_d79, first_x_d1,
+            last_x_d1, first_y_d1, last_y_d1
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7413,164 +7272,164 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            add_33_d1 <= add_f32_ftz_unit_y;
-            add_33_d2 <= add_33_d1;
-            add_33_d3 <= add_33_d2;
-            add_33_d4 <= add_33_d3;
-            mul_44_d1 <= mul_f32_ftz_unit_copy4_y;
-            mul_44_d2 <= mul_44_d1;
-            mul_44_d3 <= mul_44_d2;
-            mul_44_d4 <= mul_44_d3;
-            mul_50_d1 <= mul_f32_ftz_unit_copy5_y;
-            mul_50_d2 <= mul_50_d1;
-            mul_50_d3 <= mul_50_d2;
-            mul_50_d4 <= mul_50_d3;
-            shr_93_d1 <= add_92 >> 8;
-            resize_101_d1 <= select_96_d3[8:0];
-            resize_102_d1 <= sub_100[8:0];
-            lt_103_d1 <= lt_103;
-            mul_109_d1 <= mul_f32_ftz_unit_copy12_y;
-            mul_109_d2 <= mul_109_d1;
-            mul_109_d3 <= mul_109_d2;
-            mul_109_d4 <= mul_109_d3;
-            mul_115_d1 <= mul_f32_ftz_unit_copy13_y;
-            mul_115_d2 <= mul_115_d1;
-            mul_115_d3 <= mul_115_d2;
-            mul_115_d4 <= mul_115_d3;
-            add_139_d1 <= add_f32_ftz_unit_copy10_y;
-            shr_153_d1 <= add_152 >> 8;
-            resize_158_d1 <= select_154_d3[8:0];
-            resize_159_d1 <= sub_157[8:0];
-            lt_160_d1 <= lt_160;
-            mul_162_d1 <= mul_f32_ftz_unit_copy19_y;
-            equal_171_d1 <= equal_171;
-            bits_172_d1 <= mul_162_d1[30:23];
-            bits_172_d2 <= bits_172_d1;
-            bits_172_d3 <= bits_172_d2;
-            lt_174_d1 <= lt_174;
-            mul_185_d29 <= delay_28_from_0_out;
-            abs_191_d1 <= {1'd0, delay_28_from_0_out[30:0]};
-            mul_194_d1 <= mul_f32_ftz_unit_copy22_y;
-            mul_194_d2 <= mul_194_d1;
-            mul_194_d3 <= mul_194_d2;
-            mul_194_d4 <= mul_194_d3;
+            q_d1 <= add_f32_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            r_times_tangent1_x_d1 <= mul_f32_ftz_unit_copy4_y;
+            r_times_tangent1_x_d2 <= r_times_tangent1_x_d1;
+            r_times_tangent1_x_d3 <= r_times_tangent1_x_d2;
+            r_times_tangent1_x_d4 <= r_times_tangent1_x_d3;
+            r_times_tangent2_x_d1 <= mul_f32_ftz_unit_copy5_y;
+            r_times_tangent2_x_d2 <= r_times_tangent2_x_d1;
+            r_times_tangent2_x_d3 <= r_times_tangent2_x_d2;
+            r_times_tangent2_x_d4 <= r_times_tangent2_x_d3;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            first_x_d1 <= first_x;
+            last_x_d1 <= last_x;
+            occupied_x_d1 <= occupied_x;
+            r_times_tangent1_y_d1 <= mul_f32_ftz_unit_copy12_y;
+            r_times_tangent1_y_d2 <= r_times_tangent1_y_d1;
+            r_times_tangent1_y_d3 <= r_times_tangent1_y_d2;
+            r_times_tangent1_y_d4 <= r_times_tangent1_y_d3;
+            r_times_tangent2_y_d1 <= mul_f32_ftz_unit_copy13_y;
+            r_times_tangent2_y_d2 <= r_times_tangent2_y_d1;
+            r_times_tangent2_y_d3 <= r_times_tangent2_y_d2;
+            r_times_tangent2_y_d4 <= r_times_tangent2_y_d3;
+            center_y_minus_filter_radius_d1 <= add_f32_ftz_unit_copy10_y;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            first_y_d1 <= first_y;
+            last_y_d1 <= last_y;
+            occupied_y_d1 <= occupied_y;
+            a_x_times_b_y_d1 <= mul_f32_ftz_unit_copy19_y;
+            delta_bits_is_zero_d1 <= delta_bits_is_zero;
+            a_x_times_b_y_bits_d1 <= a_x_times_b_y_d1[30:23];
+            a_x_times_b_y_bits_d2 <= a_x_times_b_y_bits_d1;
+            a_x_times_b_y_bits_d3 <= a_x_times_b_y_bits_d2;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            b_depth_d29 <= delay_28_from_0_out;
+            abs_b_depth_d1 <= {1'd0, delay_28_from_0_out[30:0]};
+            spread_half_d1 <= mul_f32_ftz_unit_copy22_y;
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
+            spread_half_d4 <= spread_half_d3;
         end
         if (load_1) begin
             whole_d47 <= delay_17_from_1_out;
             whole_d48 <= whole_d47;
             whole_d49 <= whole_d48;
-            mul_48_d1 <= mul_f32_ftz_unit_copy4_y;
-            mul_54_d1 <= mul_f32_ftz_unit_copy6_y;
-            mul_66_d1 <= mul_f32_ftz_unit_copy9_y;
-            mul_66_d2 <= mul_66_d1;
-            mul_66_d3 <= mul_66_d2;
-            mul_66_d4 <= mul_66_d3;
-            select_96_d1 <= select_96;
-            select_96_d2 <= select_96_d1;
-            select_96_d3 <= select_96_d2;
-            min_97_d1 <= min_97;
-            mul_113_d1 <= mul_f32_ftz_unit_copy11_y;
-            mul_119_d1 <= mul_f32_ftz_unit_copy13_y;
-            mul_131_d1 <= mul_f32_ftz_unit_copy16_y;
-            mul_131_d2 <= mul_131_d1;
-            mul_131_d3 <= mul_131_d2;
-            mul_131_d4 <= mul_131_d3;
-            select_154_d1 <= select_154;
-            select_154_d2 <= select_154_d1;
-            select_154_d3 <= select_154_d2;
-            min_155_d1 <= min_155;
-            add_187_d1 <= add_f32_ftz_unit_copy15_y;
-            sqrt_192_d1 <= sqrt_f32_ftz_unit_y;
-            and_213_d1 <= and_213;
+            a_x_d1 <= mul_f32_ftz_unit_copy4_y;
+            b_x_d1 <= mul_f32_ftz_unit_copy6_y;
+            h_x_product_d1 <= mul_f32_ftz_unit_copy9_y;
+            h_x_product_d2 <= h_x_product_d1;
+            h_x_product_d3 <= h_x_product_d2;
+            h_x_product_d4 <= h_x_product_d3;
+            first_x_chosen_d1 <= first_x_chosen;
+            first_x_chosen_d2 <= first_x_chosen_d1;
+            first_x_chosen_d3 <= first_x_chosen_d2;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f32_ftz_unit_copy11_y;
+            b_y_d1 <= mul_f32_ftz_unit_copy13_y;
+            h_y_product_d1 <= mul_f32_ftz_unit_copy16_y;
+            h_y_product_d2 <= h_y_product_d1;
+            h_y_product_d3 <= h_y_product_d2;
+            h_y_product_d4 <= h_y_product_d3;
+            first_y_chosen_d1 <= first_y_chosen;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            last_y_lesser_d1 <= last_y_lesser;
+            center_depth_d1 <= add_f32_ftz_unit_copy15_y;
+            root_of_q_d1 <= sqrt_f32_ftz_unit_y;
+            visible_d1 <= visible;
         end
         if (queue_in_ready) begin
             recip_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_y : in_center_z;
-            mul_f32_ftz_unit_a <= choice_4;
-            mul_f32_ftz_unit_b <= phase ? delay_15_from_0_out[31:0] : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy2_a <= choice_5;
-            mul_f32_ftz_unit_copy2_b <= phase ? delay_15_from_0_out[63:32] : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy3_a <= choice_4;
-            mul_f32_ftz_unit_copy3_b <= phase ? delay_15_from_0_out[95:64] : mul_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_a <= mul_f32_ftz_unit_a_choice;
+            mul_f32_ftz_unit_b <= phase ? tangent1_z_d15 : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_a_choice;
+            mul_f32_ftz_unit_copy2_b <= phase ? tangent2_z_d15 : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_a_choice;
+            mul_f32_ftz_unit_copy3_b <= phase ? center_x_d15 : mul_f32_ftz_unit_copy3_y;
             mul_f32_ftz_unit_copy4_a <= phase ? recip_f32_ftz_unit_y : scale_x;
-            mul_f32_ftz_unit_copy4_b <= phase ? delay_15_from_0_out[127:96] : add_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy5_a <= choice_5;
-            mul_f32_ftz_unit_copy5_b <= phase ? delay_15_from_0_out[159:128] : mul_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy6_a <= phase ? delay_11_from_0_out[31:0] : scale_x;
+            mul_f32_ftz_unit_copy4_b <= phase ? tangent1_x_d15 : add_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy5_a <= mul_f32_ftz_unit_copy2_a_choice;
+            mul_f32_ftz_unit_copy5_b <= phase ? tangent2_x_d15 : mul_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy6_a <= phase ? alpha_d11 : scale_x;
             mul_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy7_a <= phase ? delay_11_from_0_out[63:32] : scale_x;
+            mul_f32_ftz_unit_copy7_a <= phase ? beta_d11 : scale_x;
             mul_f32_ftz_unit_copy7_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy3_y;
             mul_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy8_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy8_b <= phase ? mul_f32_ftz_unit_copy8_y : delay_8_from_1_out[31:0];
+            mul_f32_ftz_unit_copy8_b <= phase ? mul_f32_ftz_unit_copy8_y : t_x_sum_d8;
             mul_f32_ftz_unit_copy9_a <= phase ? mul_f32_ftz_unit_copy4_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy9_b <= phase ? mul_f32_ftz_unit_copy4_y : delay_8_from_1_out[63:32];
+            mul_f32_ftz_unit_copy9_b <= phase ? mul_f32_ftz_unit_copy4_y : a_x_squared_plus_b_x_squared_d8;
             mul_f32_ftz_unit_copy10_a <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy10_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy11_a <= choice_6;
-            mul_f32_ftz_unit_copy11_b <= phase ? delay_15_from_0_out[191:160] : add_f32_ftz_unit_copy6_y;
-            mul_f32_ftz_unit_copy12_a <= choice_5;
-            mul_f32_ftz_unit_copy12_b <= phase ? delay_15_from_0_out[223:192] : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy13_a <= choice_6;
-            mul_f32_ftz_unit_copy13_b <= phase ? delay_15_from_0_out[255:224] : add_f32_ftz_unit_copy7_y;
-            mul_f32_ftz_unit_copy14_a <= phase ? delay_11_from_0_out[31:0] : scale_y;
+            mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_a_choice;
+            mul_f32_ftz_unit_copy11_b <= phase ? center_y_d15 : add_f32_ftz_unit_copy6_y;
+            mul_f32_ftz_unit_copy12_a <= mul_f32_ftz_unit_copy2_a_choice;
+            mul_f32_ftz_unit_copy12_b <= phase ? tangent1_y_d15 : mul_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy13_a <= mul_f32_ftz_unit_copy11_a_choice;
+            mul_f32_ftz_unit_copy13_b <= phase ? tangent2_y_d15 : add_f32_ftz_unit_copy7_y;
+            mul_f32_ftz_unit_copy14_a <= phase ? alpha_d11 : scale_y;
             mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy15_a <= phase ? delay_11_from_0_out[63:32] : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy15_b <= phase ? mul_f32_ftz_unit_copy13_y : delay_8_from_1_out[95:64];
+            mul_f32_ftz_unit_copy15_a <= phase ? beta_d11 : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy15_b <= phase ? mul_f32_ftz_unit_copy13_y : t_y_sum_d8;
             mul_f32_ftz_unit_copy16_a <= phase ? mul_f32_ftz_unit_copy15_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy16_b <= phase ? mul_f32_ftz_unit_copy15_y : delay_8_from_1_out[127:96];
-            mul_f32_ftz_unit_copy17_a <= phase ? mul_f32_ftz_unit_copy11_y : mul_54_d1;
-            mul_f32_ftz_unit_copy17_b <= phase ? mul_f32_ftz_unit_copy11_y : mul_113_d1;
-            mul_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy13_y : delay_11_from_0_out[63:32];
-            mul_f32_ftz_unit_copy18_b <= phase ? mul_f32_ftz_unit_copy13_y : mul_113_d1;
-            mul_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy4_y : delay_11_from_0_out[31:0];
-            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy13_y : mul_119_d1;
-            mul_f32_ftz_unit_copy20_a <= phase ? recip_f32_ftz_unit_y : delay_11_from_0_out[31:0];
-            mul_f32_ftz_unit_copy20_b <= phase ? depth_b : mul_54_d1;
-            mul_f32_ftz_unit_copy21_a <= phase ? mul_185_d29 : delay_11_from_0_out[63:32];
-            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy22_y : mul_48_d1;
-            mul_f32_ftz_unit_copy22_a <= phase ? abs_191_d1 : delay_14_from_0_out;
+            mul_f32_ftz_unit_copy16_b <= phase ? mul_f32_ftz_unit_copy15_y : a_y_squared_plus_b_y_squared_d8;
+            mul_f32_ftz_unit_copy17_a <= phase ? mul_f32_ftz_unit_copy11_y : b_x_d1;
+            mul_f32_ftz_unit_copy17_b <= phase ? mul_f32_ftz_unit_copy11_y : a_y_d1;
+            mul_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy13_y : beta_d11;
+            mul_f32_ftz_unit_copy18_b <= phase ? mul_f32_ftz_unit_copy13_y : a_y_d1;
+            mul_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy4_y : alpha_d11;
+            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy13_y : b_y_d1;
+            mul_f32_ftz_unit_copy20_a <= phase ? recip_f32_ftz_unit_y : alpha_d11;
+            mul_f32_ftz_unit_copy20_b <= phase ? depth_b : b_x_d1;
+            mul_f32_ftz_unit_copy21_a <= phase ? b_depth_d29 : beta_d11;
+            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy22_y : a_x_d1;
+            mul_f32_ftz_unit_copy22_a <= phase ? abs_b_depth_d1 : delay_14_from_0_out;
             mul_f32_ftz_unit_copy22_b <= phase ? mul_f32_ftz_unit_copy23_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy23_a <= phase ? select_201 : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy23_b <= phase ? epsilon_scale : sqrt_192_d1;
+            mul_f32_ftz_unit_copy23_a <= phase ? half_depth : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy23_b <= phase ? epsilon_scale : root_of_q_d1;
             add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : 32'h3f800000;
             add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
-            add_f32_ftz_unit_copy2_a <= phase ? mul_44_d4 : mul_f32_ftz_unit_copy6_y;
-            add_f32_ftz_unit_copy2_b <= phase ? joined_7 : mul_f32_ftz_unit_copy7_y;
-            add_f32_ftz_unit_copy3_a <= phase ? mul_50_d4 : mul_f32_ftz_unit_copy9_y;
-            add_f32_ftz_unit_copy3_b <= phase ? joined_8 : mul_f32_ftz_unit_copy10_y;
+            add_f32_ftz_unit_copy2_a <= phase ? r_times_tangent1_x_d4 : mul_f32_ftz_unit_copy6_y;
+            add_f32_ftz_unit_copy2_b <= phase ? {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]} : mul_f32_ftz_unit_copy7_y;
+            add_f32_ftz_unit_copy3_a <= phase ? r_times_tangent2_x_d4 : mul_f32_ftz_unit_copy9_y;
+            add_f32_ftz_unit_copy3_b <= phase ? {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]} : mul_f32_ftz_unit_copy10_y;
             add_f32_ftz_unit_copy4_a <= phase ? mul_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy8_y;
-            add_f32_ftz_unit_copy4_b <= phase ? origin_x : mul_66_d4;
-            add_f32_ftz_unit_copy5_a <= phase ? delay_22_from_0_out[31:0] : delay_17_from_0_out[31:0];
-            add_f32_ftz_unit_copy5_b <= phase ? joined_9 : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
-            add_f32_ftz_unit_copy6_a <= phase ? mul_109_d4 : sqrt_f32_ftz_unit_y;
-            add_f32_ftz_unit_copy6_b <= phase ? joined_10 : delay_17_from_0_out[31:0];
-            add_f32_ftz_unit_copy7_a <= phase ? mul_115_d4 : delay_20_from_0_out[31:0];
-            add_f32_ftz_unit_copy7_b <= phase ? joined_11 : joined_12;
+            add_f32_ftz_unit_copy4_b <= phase ? origin_x : h_x_product_d4;
+            add_f32_ftz_unit_copy5_a <= phase ? center_x_d22 : center_x_minus_t_x_d17;
+            add_f32_ftz_unit_copy5_b <= phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
+            add_f32_ftz_unit_copy6_a <= phase ? r_times_tangent1_y_d4 : sqrt_f32_ftz_unit_y;
+            add_f32_ftz_unit_copy6_b <= phase ? add_f32_ftz_unit_copy6_b_bits : center_x_minus_t_x_d17;
+            add_f32_ftz_unit_copy7_a <= phase ? r_times_tangent2_y_d4 : center_x_d42;
+            add_f32_ftz_unit_copy7_b <= phase ? add_f32_ftz_unit_copy7_b_bits : minus_filter_radius;
             add_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy14_y : filter_radius;
-            add_f32_ftz_unit_copy8_b <= phase ? origin_y : delay_20_from_0_out[31:0];
-            add_f32_ftz_unit_copy9_a <= phase ? delay_22_from_0_out[63:32] : mul_f32_ftz_unit_copy14_y;
-            add_f32_ftz_unit_copy9_b <= phase ? joined_13 : mul_f32_ftz_unit_copy15_y;
-            add_f32_ftz_unit_copy10_a <= phase ? joined_12 : mul_f32_ftz_unit_copy17_y;
-            add_f32_ftz_unit_copy10_b <= phase ? delay_20_from_0_out[63:32] : mul_f32_ftz_unit_copy18_y;
-            add_f32_ftz_unit_copy11_a <= phase ? mul_162_d1 : mul_f32_ftz_unit_copy16_y;
-            add_f32_ftz_unit_copy11_b <= phase ? joined_14 : mul_131_d4;
-            add_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy18_y : delay_17_from_0_out[63:32];
-            add_f32_ftz_unit_copy12_b <= phase ? joined_15 : joined_16;
+            add_f32_ftz_unit_copy8_b <= phase ? origin_y : center_x_d42;
+            add_f32_ftz_unit_copy9_a <= phase ? center_y_d22 : mul_f32_ftz_unit_copy14_y;
+            add_f32_ftz_unit_copy9_b <= phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy15_y;
+            add_f32_ftz_unit_copy10_a <= phase ? minus_filter_radius : mul_f32_ftz_unit_copy17_y;
+            add_f32_ftz_unit_copy10_b <= phase ? center_y_d42 : mul_f32_ftz_unit_copy18_y;
+            add_f32_ftz_unit_copy11_a <= phase ? a_x_times_b_y_d1 : mul_f32_ftz_unit_copy16_y;
+            add_f32_ftz_unit_copy11_b <= phase ? add_f32_ftz_unit_copy11_b_bits : h_y_product_d4;
+            add_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy18_y : center_y_minus_t_y_d17;
+            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : add_f32_ftz_unit_copy12_b_bits_2;
             add_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy20_y : sqrt_f32_ftz_unit_copy2_y;
-            add_f32_ftz_unit_copy13_b <= phase ? joined_17 : delay_17_from_0_out[63:32];
+            add_f32_ftz_unit_copy13_b <= phase ? add_f32_ftz_unit_copy13_b_bits : center_y_minus_t_y_d17;
             add_f32_ftz_unit_copy14_a <= phase ? add_f32_ftz_unit_copy16_y : filter_radius;
-            add_f32_ftz_unit_copy14_b <= phase ? {~mul_194_d4[31], mul_194_d4[30:0]} : delay_20_from_0_out[63:32];
-            add_f32_ftz_unit_copy15_a <= phase ? delay_7_from_1_out[31:0] : delay_28_from_0_out;
-            add_f32_ftz_unit_copy15_b <= phase ? joined_18 : depth_a;
-            add_f32_ftz_unit_copy16_a <= phase ? delay_7_from_1_out[31:0] : add_187_d1;
+            add_f32_ftz_unit_copy14_b <= phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : center_y_d42;
+            add_f32_ftz_unit_copy15_a <= phase ? middle_depth_d7 : delay_28_from_0_out;
+            add_f32_ftz_unit_copy15_b <= phase ? add_f32_ftz_unit_copy15_b_bits : depth_a;
+            add_f32_ftz_unit_copy16_a <= phase ? middle_depth_d7 : center_depth_d1;
             add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy21_y;
             add_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy23_y;
             add_f32_ftz_unit_copy17_b <= epsilon_bias;
-            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy4_y : add_33_d4;
+            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy4_y : q_d4;
             sqrt_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy11_y;
             min_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy5_y : max_f32_ftz_unit_y;
             min_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy7_y : 32'h45fff800;
             min_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy12_y : 32'h45fff800;
-            min_f32_ftz_unit_copy2_b <= phase ? add_139_d1 : max_f32_ftz_unit_copy3_y;
+            min_f32_ftz_unit_copy2_b <= phase ? center_y_minus_filter_radius_d1 : max_f32_ftz_unit_copy3_y;
             min_f32_ftz_unit_copy3_a <= 32'h3f800000;
             min_f32_ftz_unit_copy3_b <= delay_10_from_0_out;
             max_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy6_y : min_f32_ftz_unit_y;
@@ -7582,21 +7441,21 @@ module splat_setup (
             max_f32_ftz_unit_copy4_a <= 32'd0;
             max_f32_ftz_unit_copy4_b <= phase ? min_f32_ftz_unit_copy2_y : add_f32_ftz_unit_copy15_y;
             max_f32_ftz_unit_copy5_a <= 32'd0;
-            max_f32_ftz_unit_copy5_b <= phase ? select_199 : add_f32_ftz_unit_copy16_y;
+            max_f32_ftz_unit_copy5_b <= phase ? middle_depth : add_f32_ftz_unit_copy16_y;
             to_fixed_f32_ftz_u21q8_unit_a <= phase ? max_f32_ftz_unit_y : max_f32_ftz_unit_copy2_y;
             to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? max_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy4_y;
-            le_f32_ftz_unit_a <= phase ? delay_8_from_1_out[159:128] : 32'd0;
+            le_f32_ftz_unit_a <= phase ? center_depth_d9 : 32'd0;
             le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy14_y;
             to_fixed_f32_ftz_u24q24_unit_a <= phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy5_y;
             to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy5_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= mul_194_d4;
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= spread_half_d4;
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_10_from_0[delay_10_from_0_pointer] <= abs_191_d1;
+        if (load_0) delay_10_from_0[delay_10_from_0_pointer] <= abs_b_depth_d1;
         if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -7610,7 +7469,7 @@ module splat_setup (
         if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= add_33_d4;
+        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= q_d4;
         if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -7652,7 +7511,10 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_43_from_0[delay_43_from_0_pointer] <= {xor_211, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy11_y};
+            delay_43_from_0[delay_43_from_0_pointer] <= {
+                visible_unequal_copy2, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y,
+                add_f32_ftz_unit_copy11_y
+            };
         end
         if (load_0) delay_43_from_0_out <= delay_43_from_0[delay_43_from_0_pointer];
     end
@@ -7662,14 +7524,14 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y, select_199};
+            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y, middle_depth};
         end
         if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
             delay_8_from_1[delay_8_from_1_pointer] <= {
-                add_187_d1, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy3_y,
+                center_depth_d1, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy3_y,
                 add_f32_ftz_unit_copy2_y
             };
         end
@@ -7684,34 +7546,25 @@ module splat_setup (
         if (load_1) delay_29_from_1_out <= delay_29_from_1[delay_29_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_50_from_1[delay_50_from_1_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
-        end
+        if (load_1) delay_50_from_1[delay_50_from_1_pointer] <= {b_y_d1, a_y_d1, b_x_d1, a_x_d1};
         if (load_1) delay_50_from_1_out <= delay_50_from_1[delay_50_from_1_pointer];
     end
 
-    wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
+    wire _unused = &{1'b0, last_x_chosen_minus_1[21:9], last_y_chosen_minus_1[21:9]};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & ~phase))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & ~phase));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & phase));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & phase))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & ~phase))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & phase))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -7723,9 +7576,7 @@ endmodule
 // fraction = 24
 // integer = unsigned
 module float_to_fixed_s3_f32ftz_w24_f24_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [23:0] y
 );
     reg [4:0] distance_s1;
@@ -7733,54 +7584,51 @@ module float_to_fixed_s3_f32ftz_w24_f24_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[30:23];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h79a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [22:0] a_fraction = a[22:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 23'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 23'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
             magnitude_s2 <= significand_s1 >> distance_s1;
             sign_s1 <= a[31];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f32-ftz
 module float_le_s2_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_3 = {a[30:23], term_1};
-    wire [30:0] joined_4 = {b[30:23], term_2};
+    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
+    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[30:23] & |term_1) | (&b[30:23] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 31'd0;
-            compared_s1 <= {~a[31], joined_3 ^ {31{a[31]}}} <= {~b[31], joined_4 ^ {31{b[31]}}};
+            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
+            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} <= {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -7793,9 +7641,7 @@ endmodule
 // fraction = 8
 // integer = unsigned
 module float_to_fixed_s3_f32ftz_w21_f8_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [20:0] y
 );
     reg [4:0] distance_s1;
@@ -7804,56 +7650,53 @@ module float_to_fixed_s3_f32ftz_w21_f8_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[30:23];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] shifted_3 = significand_s1 >> distance_s1;
-    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_5 = &a_field & (a_fraction == 23'd0);
+    wire [23:0] magnitude_s2_shifted = significand_s1 >> distance_s1;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 23'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
-            magnitude_s2 <= shifted_3[20:0];
+            magnitude_s2 <= magnitude_s2_shifted[20:0];
             sign_s1 <= a[31];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_4 & (11'd22 <= sum_1) & |a_field) | term_5;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], shifted_3[23:21]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5], magnitude_s2_shifted[23:21]};
 endmodule
 
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f32-ftz
 module float_max_s2_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [31:0] a_s1, b_s1;
 
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
+    wire [22:0] a_nan_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] b_nan_s1_both = b[22:0] & {23{|b[30:23]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[30:23] & |term_1;
-            b_nan_s1 <= &b[30:23] & |term_2;
-            less_s1 <= {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_2} ^ {31{b[31]}}};
-            a_s1 <= {a[31:23], term_1};
-            b_s1 <= {b[31:23], term_2};
+            a_nan_s1 <= &a[30:23] & |a_nan_s1_both;
+            b_nan_s1 <= &b[30:23] & |b_nan_s1_both;
+            less_s1 <= {~a[31], {a[30:23], a_nan_s1_both} ^ {31{a[31]}}} < {~b[31], {b[30:23], b_nan_s1_both} ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], a_nan_s1_both};
+            b_s1 <= {b[31:23], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -7863,25 +7706,22 @@ endmodule
 // stages = 2
 // format = f32-ftz
 module float_min_s2_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [31:0] a_s1, b_s1;
 
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
+    wire [22:0] a_nan_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] b_nan_s1_both = b[22:0] & {23{|b[30:23]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[30:23] & |term_1;
-            b_nan_s1 <= &b[30:23] & |term_2;
-            less_s1 <= {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_2} ^ {31{b[31]}}};
-            a_s1 <= {a[31:23], term_1};
-            b_s1 <= {b[31:23], term_2};
+            a_nan_s1 <= &a[30:23] & |a_nan_s1_both;
+            b_nan_s1 <= &b[30:23] & |b_nan_s1_both;
+            less_s1 <= {~a[31], {a[30:23], a_nan_s1_both} ^ {31{a[31]}}} < {~b[31], {b[30:23], b_nan_s1_both} ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], a_nan_s1_both};
+            b_s1 <= {b[31:23], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -7891,9 +7731,7 @@ endmodule
 // stages = 26
 // format = f32-ftz
 module float_sqrt_s26_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [31:0] y
 );
     reg [2:0] remainder_s1;
@@ -7974,102 +7812,102 @@ module float_sqrt_s26_f32ftz (
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
-    wire [22:0] term_1 = a_fraction & {23{|a_field}};
-    wire [24:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
-    wire [1:0] difference_3 = choice_2[24:23] - 2'd1;
-    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[22:21]} - 5'd5;
-    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[20:19]} - {2'd0, root_s1, 2'd1};
-    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[18:17]} - {2'd0, root_s2, 2'd1};
-    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[16:15]} - {2'd0, root_s3, 2'd1};
-    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[14:13]} - {2'd0, root_s4, 2'd1};
-    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[12:11]} - {2'd0, root_s5, 2'd1};
-    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[10:9]} - {2'd0, root_s6, 2'd1};
-    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7[8:7]} - {2'd0, root_s7, 2'd1};
-    wire [12:0] difference_12 = {1'd0, remainder_s8, pending_s8[6:5]} - {2'd0, root_s8, 2'd1};
-    wire [13:0] difference_13 = {1'd0, remainder_s9, pending_s9[4:3]} - {2'd0, root_s9, 2'd1};
-    wire [14:0] difference_14 = {1'd0, remainder_s10, pending_s10[2:1]} - {2'd0, root_s10, 2'd1};
-    wire [15:0] difference_15 = {1'd0, remainder_s11, pending_s11, 1'd0} - {2'd0, root_s11, 2'd1};
-    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
-    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
-    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
-    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
-    wire [20:0] difference_20 = {1'd0, remainder_s16, 2'd0} - {2'd0, root_s16, 2'd1};
-    wire [21:0] difference_21 = {1'd0, remainder_s17, 2'd0} - {2'd0, root_s17, 2'd1};
-    wire [22:0] difference_22 = {1'd0, remainder_s18, 2'd0} - {2'd0, root_s18, 2'd1};
-    wire [23:0] difference_23 = {1'd0, remainder_s19, 2'd0} - {2'd0, root_s19, 2'd1};
-    wire [24:0] difference_24 = {1'd0, remainder_s20, 2'd0} - {2'd0, root_s20, 2'd1};
-    wire [25:0] difference_25 = {1'd0, remainder_s21, 2'd0} - {2'd0, root_s21, 2'd1};
-    wire [26:0] difference_26 = {1'd0, remainder_s22, 2'd0} - {2'd0, root_s22, 2'd1};
-    wire [27:0] difference_27 = {1'd0, remainder_s23, 2'd0} - {2'd0, root_s23, 2'd1};
-    wire [9:0] sum_28 = {2'd0, a_field} + 10'd127;
-    wire term_29 = (exponent_s25 == 10'd0) & ~(&significand_s25[24:2] & significand_s25[1]);
-    wire term_30 = infinite_s25 | (~exponent_s25[9] & (10'd255 <= exponent_s25));
+    wire [22:0] remainder_s1_both = a_fraction & {23{|a_field}};
+    wire [24:0] remainder_s1_choice = ~a_field[0] ? {|a_field, remainder_s1_both, 1'd0} : {1'd0, |a_field, remainder_s1_both};
+    wire [1:0] remainder_s1_difference = remainder_s1_choice[24:23] - 2'd1;
+    wire [4:0] remainder_s1_difference_2 = {1'd0, remainder_s1_difference, remainder_s1_choice[22:21]} - 5'd5;
+    wire [5:0] remainder_s2_difference = {1'd0, remainder_s1, pending_s1[20:19]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] remainder_s3_difference = {1'd0, remainder_s2, pending_s2[18:17]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] remainder_s4_difference = {1'd0, remainder_s3, pending_s3[16:15]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] remainder_s5_difference = {1'd0, remainder_s4, pending_s4[14:13]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] remainder_s6_difference = {1'd0, remainder_s5, pending_s5[12:11]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] remainder_s7_difference = {1'd0, remainder_s6, pending_s6[10:9]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] remainder_s8_difference = {1'd0, remainder_s7, pending_s7[8:7]} - {2'd0, root_s7, 2'd1};
+    wire [12:0] remainder_s9_difference = {1'd0, remainder_s8, pending_s8[6:5]} - {2'd0, root_s8, 2'd1};
+    wire [13:0] remainder_s10_difference = {1'd0, remainder_s9, pending_s9[4:3]} - {2'd0, root_s9, 2'd1};
+    wire [14:0] remainder_s11_difference = {1'd0, remainder_s10, pending_s10[2:1]} - {2'd0, root_s10, 2'd1};
+    wire [15:0] remainder_s12_difference = {1'd0, remainder_s11, pending_s11, 1'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] remainder_s13_difference = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] remainder_s15_difference = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] remainder_s16_difference = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [20:0] remainder_s17_difference = {1'd0, remainder_s16, 2'd0} - {2'd0, root_s16, 2'd1};
+    wire [21:0] remainder_s18_difference = {1'd0, remainder_s17, 2'd0} - {2'd0, root_s17, 2'd1};
+    wire [22:0] remainder_s19_difference = {1'd0, remainder_s18, 2'd0} - {2'd0, root_s18, 2'd1};
+    wire [23:0] remainder_s20_difference = {1'd0, remainder_s19, 2'd0} - {2'd0, root_s19, 2'd1};
+    wire [24:0] remainder_s21_difference = {1'd0, remainder_s20, 2'd0} - {2'd0, root_s20, 2'd1};
+    wire [25:0] remainder_s22_difference = {1'd0, remainder_s21, 2'd0} - {2'd0, root_s21, 2'd1};
+    wire [26:0] remainder_s23_difference = {1'd0, remainder_s22, 2'd0} - {2'd0, root_s22, 2'd1};
+    wire [27:0] remainder_s24_difference = {1'd0, remainder_s23, 2'd0} - {2'd0, root_s23, 2'd1};
+    wire [9:0] a_field_plus_127 = {2'd0, a_field} + 10'd127;
+    wire y_both = (exponent_s25 == 10'd0) & ~(&significand_s25[24:2] & significand_s25[1]);
     wire round_up = significand_s25[1] & (significand_s25[0] | significand_s25[2]);
     wire [30:0] rounded = {exponent_s25[7:0], significand_s25[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_31 = (zero_s25 | ((exponent_s25[9] | term_29) & ~infinite_s25)) ? 31'd0 : term_30 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s25 | (~exponent_s25[9] & (10'd255 <= exponent_s25))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s25 | ((exponent_s25[9] | y_both) & ~infinite_s25)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[22:21]};
-            root_s1 <= {1'd1, ~difference_4[4]};
-            pending_s1 <= choice_2[20:0];
-            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[20:19]};
-            root_s2 <= {root_s1, ~difference_5[5]};
+            remainder_s1 <= ~remainder_s1_difference_2[4] ? remainder_s1_difference_2[2:0] : {remainder_s1_difference[0], remainder_s1_choice[22:21]};
+            root_s1 <= {1'd1, ~remainder_s1_difference_2[4]};
+            pending_s1 <= remainder_s1_choice[20:0];
+            remainder_s2 <= ~remainder_s2_difference[5] ? remainder_s2_difference[3:0] : {remainder_s1[1:0], pending_s1[20:19]};
+            root_s2 <= {root_s1, ~remainder_s2_difference[5]};
             pending_s2 <= pending_s1[18:0];
-            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[18:17]};
-            root_s3 <= {root_s2, ~difference_6[6]};
+            remainder_s3 <= ~remainder_s3_difference[6] ? remainder_s3_difference[4:0] : {remainder_s2[2:0], pending_s2[18:17]};
+            root_s3 <= {root_s2, ~remainder_s3_difference[6]};
             pending_s3 <= pending_s2[16:0];
-            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[16:15]};
-            root_s4 <= {root_s3, ~difference_7[7]};
+            remainder_s4 <= ~remainder_s4_difference[7] ? remainder_s4_difference[5:0] : {remainder_s3[3:0], pending_s3[16:15]};
+            root_s4 <= {root_s3, ~remainder_s4_difference[7]};
             pending_s4 <= pending_s3[14:0];
-            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[14:13]};
-            root_s5 <= {root_s4, ~difference_8[8]};
+            remainder_s5 <= ~remainder_s5_difference[8] ? remainder_s5_difference[6:0] : {remainder_s4[4:0], pending_s4[14:13]};
+            root_s5 <= {root_s4, ~remainder_s5_difference[8]};
             pending_s5 <= pending_s4[12:0];
-            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[12:11]};
-            root_s6 <= {root_s5, ~difference_9[9]};
+            remainder_s6 <= ~remainder_s6_difference[9] ? remainder_s6_difference[7:0] : {remainder_s5[5:0], pending_s5[12:11]};
+            root_s6 <= {root_s5, ~remainder_s6_difference[9]};
             pending_s6 <= pending_s5[10:0];
-            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[10:9]};
-            root_s7 <= {root_s6, ~difference_10[10]};
+            remainder_s7 <= ~remainder_s7_difference[10] ? remainder_s7_difference[8:0] : {remainder_s6[6:0], pending_s6[10:9]};
+            root_s7 <= {root_s6, ~remainder_s7_difference[10]};
             pending_s7 <= pending_s6[8:0];
-            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7[8:7]};
-            root_s8 <= {root_s7, ~difference_11[11]};
+            remainder_s8 <= ~remainder_s8_difference[11] ? remainder_s8_difference[9:0] : {remainder_s7[7:0], pending_s7[8:7]};
+            root_s8 <= {root_s7, ~remainder_s8_difference[11]};
             pending_s8 <= pending_s7[6:0];
-            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], pending_s8[6:5]};
-            root_s9 <= {root_s8, ~difference_12[12]};
+            remainder_s9 <= ~remainder_s9_difference[12] ? remainder_s9_difference[10:0] : {remainder_s8[8:0], pending_s8[6:5]};
+            root_s9 <= {root_s8, ~remainder_s9_difference[12]};
             pending_s9 <= pending_s8[4:0];
-            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], pending_s9[4:3]};
-            root_s10 <= {root_s9, ~difference_13[13]};
+            remainder_s10 <= ~remainder_s10_difference[13] ? remainder_s10_difference[11:0] : {remainder_s9[9:0], pending_s9[4:3]};
+            root_s10 <= {root_s9, ~remainder_s10_difference[13]};
             pending_s10 <= pending_s9[2:0];
-            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], pending_s10[2:1]};
-            root_s11 <= {root_s10, ~difference_14[14]};
+            remainder_s11 <= ~remainder_s11_difference[14] ? remainder_s11_difference[12:0] : {remainder_s10[10:0], pending_s10[2:1]};
+            root_s11 <= {root_s10, ~remainder_s11_difference[14]};
             pending_s11 <= pending_s10[0];
-            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], pending_s11, 1'd0};
-            root_s12 <= {root_s11, ~difference_15[15]};
-            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
-            root_s13 <= {root_s12, ~difference_16[16]};
-            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
-            root_s14 <= {root_s13, ~difference_17[17]};
-            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
-            root_s15 <= {root_s14, ~difference_18[18]};
-            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
-            root_s16 <= {root_s15, ~difference_19[19]};
-            remainder_s17 <= ~difference_20[20] ? difference_20[18:0] : {remainder_s16[16:0], 2'd0};
-            root_s17 <= {root_s16, ~difference_20[20]};
-            remainder_s18 <= ~difference_21[21] ? difference_21[19:0] : {remainder_s17[17:0], 2'd0};
-            root_s18 <= {root_s17, ~difference_21[21]};
-            remainder_s19 <= ~difference_22[22] ? difference_22[20:0] : {remainder_s18[18:0], 2'd0};
-            root_s19 <= {root_s18, ~difference_22[22]};
-            remainder_s20 <= ~difference_23[23] ? difference_23[21:0] : {remainder_s19[19:0], 2'd0};
-            root_s20 <= {root_s19, ~difference_23[23]};
-            remainder_s21 <= ~difference_24[24] ? difference_24[22:0] : {remainder_s20[20:0], 2'd0};
-            root_s21 <= {root_s20, ~difference_24[24]};
-            remainder_s22 <= ~difference_25[25] ? difference_25[23:0] : {remainder_s21[21:0], 2'd0};
-            root_s22 <= {root_s21, ~difference_25[25]};
-            remainder_s23 <= ~difference_26[26] ? difference_26[24:0] : {remainder_s22[22:0], 2'd0};
-            root_s23 <= {root_s22, ~difference_26[26]};
-            remainder_s24 <= ~difference_27[27] ? difference_27[25:0] : {remainder_s23[23:0], 2'd0};
-            root_s24 <= {root_s23, ~difference_27[27]};
-            exponent_s1 <= {sum_28[9], sum_28[9:1]};
+            remainder_s12 <= ~remainder_s12_difference[15] ? remainder_s12_difference[13:0] : {remainder_s11[11:0], pending_s11, 1'd0};
+            root_s12 <= {root_s11, ~remainder_s12_difference[15]};
+            remainder_s13 <= ~remainder_s13_difference[16] ? remainder_s13_difference[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~remainder_s13_difference[16]};
+            remainder_s14 <= ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~remainder_s14_difference[17]};
+            remainder_s15 <= ~remainder_s15_difference[18] ? remainder_s15_difference[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~remainder_s15_difference[18]};
+            remainder_s16 <= ~remainder_s16_difference[19] ? remainder_s16_difference[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~remainder_s16_difference[19]};
+            remainder_s17 <= ~remainder_s17_difference[20] ? remainder_s17_difference[18:0] : {remainder_s16[16:0], 2'd0};
+            root_s17 <= {root_s16, ~remainder_s17_difference[20]};
+            remainder_s18 <= ~remainder_s18_difference[21] ? remainder_s18_difference[19:0] : {remainder_s17[17:0], 2'd0};
+            root_s18 <= {root_s17, ~remainder_s18_difference[21]};
+            remainder_s19 <= ~remainder_s19_difference[22] ? remainder_s19_difference[20:0] : {remainder_s18[18:0], 2'd0};
+            root_s19 <= {root_s18, ~remainder_s19_difference[22]};
+            remainder_s20 <= ~remainder_s20_difference[23] ? remainder_s20_difference[21:0] : {remainder_s19[19:0], 2'd0};
+            root_s20 <= {root_s19, ~remainder_s20_difference[23]};
+            remainder_s21 <= ~remainder_s21_difference[24] ? remainder_s21_difference[22:0] : {remainder_s20[20:0], 2'd0};
+            root_s21 <= {root_s20, ~remainder_s21_difference[24]};
+            remainder_s22 <= ~remainder_s22_difference[25] ? remainder_s22_difference[23:0] : {remainder_s21[21:0], 2'd0};
+            root_s22 <= {root_s21, ~remainder_s22_difference[25]};
+            remainder_s23 <= ~remainder_s23_difference[26] ? remainder_s23_difference[24:0] : {remainder_s22[22:0], 2'd0};
+            root_s23 <= {root_s22, ~remainder_s23_difference[26]};
+            remainder_s24 <= ~remainder_s24_difference[27] ? remainder_s24_difference[25:0] : {remainder_s23[23:0], 2'd0};
+            root_s24 <= {root_s23, ~remainder_s24_difference[27]};
+            exponent_s1 <= {a_field_plus_127[9], a_field_plus_127[9:1]};
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3;
@@ -8195,16 +8033,20 @@ module float_sqrt_s26_f32ftz (
             zero_s23 <= zero_s22;
             zero_s24 <= zero_s23;
             zero_s25 <= zero_s24;
-            y <= nan_s25 ? 32'h7fc00000 : {sign_s25, choice_31};
+            y <= nan_s25 ? 32'h7fc00000 : {sign_s25, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
-        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
-        difference_20[19], difference_21[20], difference_22[21], difference_23[22], difference_24[23],
-        difference_25[24], difference_26[25], difference_27[26], difference_4[3], difference_5[4],
-        difference_6[5], difference_7[6], difference_8[7], difference_9[8], significand_s25[25], sum_28[0]
+        1'b0, a_field_plus_127[0], remainder_s10_difference[12], remainder_s11_difference[13],
+        remainder_s12_difference[14], remainder_s13_difference[15], remainder_s14_difference[16],
+        remainder_s15_difference[17], remainder_s16_difference[18], remainder_s17_difference[19],
+        remainder_s18_difference[20], remainder_s19_difference[21], remainder_s1_difference_2[3],
+        remainder_s20_difference[22], remainder_s21_difference[23], remainder_s22_difference[24],
+        remainder_s23_difference[25], remainder_s24_difference[26], remainder_s2_difference[4],
+        remainder_s3_difference[5], remainder_s4_difference[6], remainder_s5_difference[7],
+        remainder_s6_difference[8], remainder_s7_difference[9], remainder_s8_difference[10],
+        remainder_s9_difference[11], significand_s25[25]
     };
 endmodule
 
@@ -8212,10 +8054,7 @@ endmodule
 // stages = 6
 // format = f32-ftz
 module float_mul_s6_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [23:0] left_s1, right_s1;
@@ -8232,17 +8071,17 @@ module float_mul_s6_f32ftz (
     wire [22:0] a_fraction = a[22:0];
     wire [7:0] b_field = b[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [47:0] term_1 = {24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24);
-    wire [47:0] choice_2 = product_s3[47] ? product_s3 : (product_s3 << 1);
-    wire term_3 = &a_field & (a_fraction == 23'd0);
-    wire term_4 = ~(|b_field);
-    wire term_5 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_3 & term_4);
-    wire term_6 = ~(|a_field);
-    wire term_7 = &b_field & (b_fraction == 23'd0);
-    wire term_8 = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
+    wire [47:0] product_s3_sum = ({24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24)) + ({24'd0, partial_0_12_s2} << 12);
+    wire [47:0] significand_s4_choice = product_s3[47] ? product_s3 : (product_s3 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire zero_s5_both = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
     wire [30:0] rounded = {exponent_s4[7:0], significand_s4[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_9 = zero_s5 ? 31'd0 : infinite_s5 ? 31'h7f800000 : rounded_s5;
+    wire [31:0] y_bits = {sign_s5, zero_s5 ? 31'd0 : infinite_s5 ? 31'h7f800000 : rounded_s5};
 
     always @(posedge clk) begin
         if (enable) begin
@@ -8253,33 +8092,33 @@ module float_mul_s6_f32ftz (
             partial_0_12_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[23:12]};
             partial_12_0_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[11:0]};
             partial_12_12_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[23:12]};
-            product_s3 <= term_1 + ({24'd0, partial_0_12_s2} << 12) + ({24'd0, partial_12_0_s2} << 12);
+            product_s3 <= product_s3_sum + ({24'd0, partial_12_0_s2} << 12);
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3 + {9'd0, product_s3[47]};
-            significand_s4 <= {choice_2[47:23], |choice_2[22:0]};
+            significand_s4 <= {significand_s4_choice[47:23], |significand_s4_choice[22:0]};
             sign_s1 <= a[31] ^ b[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
-            nan_s1 <= term_5 | (term_6 & term_7);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
-            infinite_s1 <= term_3 | term_7;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s1 <= term_6 | term_4;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
             sign_s5 <= sign_s4;
             nan_s5 <= nan_s4;
             infinite_s5 <= infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4));
-            zero_s5 <= zero_s4 | ((exponent_s4[9] | term_8) & ~infinite_s4);
+            zero_s5 <= zero_s4 | ((exponent_s4[9] | zero_s5_both) & ~infinite_s4);
             rounded_s5 <= rounded;
-            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, choice_9};
+            y <= nan_s5 ? 32'h7fc00000 : y_bits;
         end
     end
 
@@ -8290,9 +8129,7 @@ endmodule
 // stages = 28
 // format = f32-ftz
 module float_recip_s28_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [31:0] y
 );
     reg [24:0] remainder_s1;
@@ -8390,145 +8227,146 @@ module float_recip_s28_f32ftz (
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
-    wire [22:0] term_1 = a_fraction & {23{|a_field}};
-    wire [25:0] difference_2 = 26'h800000 - {2'd0, |a_field, term_1};
-    wire [25:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [23:0] choice_4 = ~difference_3[25] ? difference_3[23:0] : remainder_s1[23:0];
-    wire [25:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [23:0] choice_6 = ~difference_5[25] ? difference_5[23:0] : remainder_s2[23:0];
-    wire [25:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [23:0] choice_8 = ~difference_7[25] ? difference_7[23:0] : remainder_s3[23:0];
-    wire [25:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [23:0] choice_10 = ~difference_9[25] ? difference_9[23:0] : remainder_s4[23:0];
-    wire [25:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [23:0] choice_12 = ~difference_11[25] ? difference_11[23:0] : remainder_s5[23:0];
-    wire [25:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [23:0] choice_14 = ~difference_13[25] ? difference_13[23:0] : remainder_s6[23:0];
-    wire [25:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [23:0] choice_16 = ~difference_15[25] ? difference_15[23:0] : remainder_s7[23:0];
-    wire [25:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [23:0] choice_18 = ~difference_17[25] ? difference_17[23:0] : remainder_s8[23:0];
-    wire [25:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [23:0] choice_20 = ~difference_19[25] ? difference_19[23:0] : remainder_s9[23:0];
-    wire [25:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [23:0] choice_22 = ~difference_21[25] ? difference_21[23:0] : remainder_s10[23:0];
-    wire [25:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [23:0] choice_24 = ~difference_23[25] ? difference_23[23:0] : remainder_s11[23:0];
-    wire [25:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [23:0] choice_26 = ~difference_25[25] ? difference_25[23:0] : remainder_s12[23:0];
-    wire [25:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [23:0] choice_28 = ~difference_27[25] ? difference_27[23:0] : remainder_s13[23:0];
-    wire [25:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [23:0] choice_30 = ~difference_29[25] ? difference_29[23:0] : remainder_s14[23:0];
-    wire [25:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [23:0] choice_32 = ~difference_31[25] ? difference_31[23:0] : remainder_s15[23:0];
-    wire [25:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [23:0] choice_34 = ~difference_33[25] ? difference_33[23:0] : remainder_s16[23:0];
-    wire [25:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [23:0] choice_36 = ~difference_35[25] ? difference_35[23:0] : remainder_s17[23:0];
-    wire [25:0] difference_37 = {1'd0, remainder_s18} - {2'd0, divisor_s18};
-    wire [23:0] choice_38 = ~difference_37[25] ? difference_37[23:0] : remainder_s18[23:0];
-    wire [25:0] difference_39 = {1'd0, remainder_s19} - {2'd0, divisor_s19};
-    wire [23:0] choice_40 = ~difference_39[25] ? difference_39[23:0] : remainder_s19[23:0];
-    wire [25:0] difference_41 = {1'd0, remainder_s20} - {2'd0, divisor_s20};
-    wire [23:0] choice_42 = ~difference_41[25] ? difference_41[23:0] : remainder_s20[23:0];
-    wire [25:0] difference_43 = {1'd0, remainder_s21} - {2'd0, divisor_s21};
-    wire [23:0] choice_44 = ~difference_43[25] ? difference_43[23:0] : remainder_s21[23:0];
-    wire [25:0] difference_45 = {1'd0, remainder_s22} - {2'd0, divisor_s22};
-    wire [23:0] choice_46 = ~difference_45[25] ? difference_45[23:0] : remainder_s22[23:0];
-    wire [25:0] difference_47 = {1'd0, remainder_s23} - {2'd0, divisor_s23};
-    wire [23:0] choice_48 = ~difference_47[25] ? difference_47[23:0] : remainder_s23[23:0];
-    wire [25:0] difference_49 = {1'd0, remainder_s24} - {2'd0, divisor_s24};
-    wire [23:0] choice_50 = ~difference_49[25] ? difference_49[23:0] : remainder_s24[23:0];
-    wire [25:0] difference_51 = {1'd0, remainder_s25} - {2'd0, divisor_s25};
-    wire [23:0] choice_52 = ~difference_51[25] ? difference_51[23:0] : remainder_s25[23:0];
-    wire [26:0] joined_53 = {quotient_s26, |remainder_s26};
-    wire [26:0] choice_54 = ~quotient_s26[25] ? (joined_53 << 1) : joined_53;
-    wire term_55 = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
-    wire term_56 = infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27));
+    wire [22:0] remainder_s1_both = a_fraction & {23{|a_field}};
+    wire [25:0] remainder_s1_difference = 26'h800000 - {2'd0, |a_field, remainder_s1_both};
+    wire [23:0] remainder_s1_choice = ~remainder_s1_difference[25] ? remainder_s1_difference[23:0] : 24'h800000;
+    wire [25:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [23:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[25] ? remainder_s1_minus_divisor_s1[23:0] : remainder_s1[23:0];
+    wire [25:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [23:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[25] ? remainder_s2_minus_divisor_s2[23:0] : remainder_s2[23:0];
+    wire [25:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [23:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[25] ? remainder_s3_minus_divisor_s3[23:0] : remainder_s3[23:0];
+    wire [25:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [23:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[25] ? remainder_s4_minus_divisor_s4[23:0] : remainder_s4[23:0];
+    wire [25:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [23:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[25] ? remainder_s5_minus_divisor_s5[23:0] : remainder_s5[23:0];
+    wire [25:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [23:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[25] ? remainder_s6_minus_divisor_s6[23:0] : remainder_s6[23:0];
+    wire [25:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [23:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[25] ? remainder_s7_minus_divisor_s7[23:0] : remainder_s7[23:0];
+    wire [25:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [23:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[25] ? remainder_s8_minus_divisor_s8[23:0] : remainder_s8[23:0];
+    wire [25:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [23:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[25] ? remainder_s9_minus_divisor_s9[23:0] : remainder_s9[23:0];
+    wire [25:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [23:0] remainder_s11_choice = ~remainder_s11_difference[25] ? remainder_s11_difference[23:0] : remainder_s10[23:0];
+    wire [25:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [23:0] remainder_s12_choice = ~remainder_s12_difference[25] ? remainder_s12_difference[23:0] : remainder_s11[23:0];
+    wire [25:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [23:0] remainder_s13_choice = ~remainder_s13_difference[25] ? remainder_s13_difference[23:0] : remainder_s12[23:0];
+    wire [25:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [23:0] remainder_s14_choice = ~remainder_s14_difference[25] ? remainder_s14_difference[23:0] : remainder_s13[23:0];
+    wire [25:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [23:0] remainder_s15_choice = ~remainder_s15_difference[25] ? remainder_s15_difference[23:0] : remainder_s14[23:0];
+    wire [25:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [23:0] remainder_s16_choice = ~remainder_s16_difference[25] ? remainder_s16_difference[23:0] : remainder_s15[23:0];
+    wire [25:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [23:0] remainder_s17_choice = ~remainder_s17_difference[25] ? remainder_s17_difference[23:0] : remainder_s16[23:0];
+    wire [25:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [23:0] remainder_s18_choice = ~remainder_s18_difference[25] ? remainder_s18_difference[23:0] : remainder_s17[23:0];
+    wire [25:0] remainder_s19_difference = {1'd0, remainder_s18} - {2'd0, divisor_s18};
+    wire [23:0] remainder_s19_choice = ~remainder_s19_difference[25] ? remainder_s19_difference[23:0] : remainder_s18[23:0];
+    wire [25:0] remainder_s20_difference = {1'd0, remainder_s19} - {2'd0, divisor_s19};
+    wire [23:0] remainder_s20_choice = ~remainder_s20_difference[25] ? remainder_s20_difference[23:0] : remainder_s19[23:0];
+    wire [25:0] remainder_s21_difference = {1'd0, remainder_s20} - {2'd0, divisor_s20};
+    wire [23:0] remainder_s21_choice = ~remainder_s21_difference[25] ? remainder_s21_difference[23:0] : remainder_s20[23:0];
+    wire [25:0] remainder_s22_difference = {1'd0, remainder_s21} - {2'd0, divisor_s21};
+    wire [23:0] remainder_s22_choice = ~remainder_s22_difference[25] ? remainder_s22_difference[23:0] : remainder_s21[23:0];
+    wire [25:0] remainder_s23_difference = {1'd0, remainder_s22} - {2'd0, divisor_s22};
+    wire [23:0] remainder_s23_choice = ~remainder_s23_difference[25] ? remainder_s23_difference[23:0] : remainder_s22[23:0];
+    wire [25:0] remainder_s24_difference = {1'd0, remainder_s23} - {2'd0, divisor_s23};
+    wire [23:0] remainder_s24_choice = ~remainder_s24_difference[25] ? remainder_s24_difference[23:0] : remainder_s23[23:0];
+    wire [25:0] remainder_s25_difference = {1'd0, remainder_s24} - {2'd0, divisor_s24};
+    wire [23:0] remainder_s25_choice = ~remainder_s25_difference[25] ? remainder_s25_difference[23:0] : remainder_s24[23:0];
+    wire [25:0] remainder_s26_difference = {1'd0, remainder_s25} - {2'd0, divisor_s25};
+    wire [23:0] remainder_s26_choice = ~remainder_s26_difference[25] ? remainder_s26_difference[23:0] : remainder_s25[23:0];
+    wire [26:0] significand_s27_bits = {quotient_s26, |remainder_s26};
+    wire [26:0] significand_s27_choice = ~quotient_s26[25] ? (significand_s27_bits << 1) : significand_s27_bits;
+    wire y_both = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
     wire round_up = significand_s27[1] & (significand_s27[0] | significand_s27[2]);
     wire [30:0] rounded = {exponent_s27[7:0], significand_s27[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_57 = (zero_s27 | ((exponent_s27[9] | term_55) & ~infinite_s27)) ? 31'd0 : term_56 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s27 | ((exponent_s27[9] | y_both) & ~infinite_s27)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {~difference_2[25] ? difference_2[23:0] : 24'h800000, 1'd0};
-            quotient_s1 <= ~difference_2[25];
-            divisor_s1 <= {|a_field, term_1};
-            remainder_s2 <= {choice_4, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_3[25]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[25];
+            divisor_s1 <= {|a_field, remainder_s1_both};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[25]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_6, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_5[25]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[25]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_8, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_7[25]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[25]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_10, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_9[25]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[25]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_12, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_11[25]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[25]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_14, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_13[25]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[25]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_16, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_15[25]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[25]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_18, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_17[25]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[25]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_20, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_19[25]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[25]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_22, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_21[25]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[25]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_24, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_23[25]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[25]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_26, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_25[25]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[25]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_28, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_27[25]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[25]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_30, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_29[25]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[25]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_32, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_31[25]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[25]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_34, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_33[25]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[25]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_36, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_35[25]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[25]};
             divisor_s18 <= divisor_s17;
-            remainder_s19 <= {choice_38, 1'd0};
-            quotient_s19 <= {quotient_s18, ~difference_37[25]};
+            remainder_s19 <= {remainder_s19_choice, 1'd0};
+            quotient_s19 <= {quotient_s18, ~remainder_s19_difference[25]};
             divisor_s19 <= divisor_s18;
-            remainder_s20 <= {choice_40, 1'd0};
-            quotient_s20 <= {quotient_s19, ~difference_39[25]};
+            remainder_s20 <= {remainder_s20_choice, 1'd0};
+            quotient_s20 <= {quotient_s19, ~remainder_s20_difference[25]};
             divisor_s20 <= divisor_s19;
-            remainder_s21 <= {choice_42, 1'd0};
-            quotient_s21 <= {quotient_s20, ~difference_41[25]};
+            remainder_s21 <= {remainder_s21_choice, 1'd0};
+            quotient_s21 <= {quotient_s20, ~remainder_s21_difference[25]};
             divisor_s21 <= divisor_s20;
-            remainder_s22 <= {choice_44, 1'd0};
-            quotient_s22 <= {quotient_s21, ~difference_43[25]};
+            remainder_s22 <= {remainder_s22_choice, 1'd0};
+            quotient_s22 <= {quotient_s21, ~remainder_s22_difference[25]};
             divisor_s22 <= divisor_s21;
-            remainder_s23 <= {choice_46, 1'd0};
-            quotient_s23 <= {quotient_s22, ~difference_45[25]};
+            remainder_s23 <= {remainder_s23_choice, 1'd0};
+            quotient_s23 <= {quotient_s22, ~remainder_s23_difference[25]};
             divisor_s23 <= divisor_s22;
-            remainder_s24 <= {choice_48, 1'd0};
-            quotient_s24 <= {quotient_s23, ~difference_47[25]};
+            remainder_s24 <= {remainder_s24_choice, 1'd0};
+            quotient_s24 <= {quotient_s23, ~remainder_s24_difference[25]};
             divisor_s24 <= divisor_s23;
-            remainder_s25 <= {choice_50, 1'd0};
-            quotient_s25 <= {quotient_s24, ~difference_49[25]};
+            remainder_s25 <= {remainder_s25_choice, 1'd0};
+            quotient_s25 <= {quotient_s24, ~remainder_s25_difference[25]};
             divisor_s25 <= divisor_s24;
-            remainder_s26 <= {choice_52, 1'd0};
-            quotient_s26 <= {quotient_s25, ~difference_51[25]};
+            remainder_s26 <= {remainder_s26_choice, 1'd0};
+            quotient_s26 <= {quotient_s25, ~remainder_s26_difference[25]};
             exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -8556,7 +8394,7 @@ module float_recip_s28_f32ftz (
             exponent_s25 <= exponent_s24;
             exponent_s26 <= exponent_s25;
             exponent_s27 <= exponent_s26 - {9'd0, ~quotient_s26[25]};
-            significand_s27 <= {choice_54[26:2], |choice_54[1:0]};
+            significand_s27 <= {significand_s27_choice[26:2], |significand_s27_choice[1:0]};
             sign_s1 <= a[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -8665,31 +8503,30 @@ module float_recip_s28_f32ftz (
             zero_s25 <= zero_s24;
             zero_s26 <= zero_s25;
             zero_s27 <= zero_s26;
-            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, choice_57};
+            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[24], difference_13[24], difference_15[24], difference_17[24], difference_19[24],
-        difference_2[24], difference_21[24], difference_23[24], difference_25[24], difference_27[24],
-        difference_29[24], difference_3[24], difference_31[24], difference_33[24], difference_35[24],
-        difference_37[24], difference_39[24], difference_41[24], difference_43[24], difference_45[24],
-        difference_47[24], difference_49[24], difference_5[24], difference_51[24], difference_7[24],
-        difference_9[24], significand_s27[25]
+        1'b0, remainder_s11_difference[24], remainder_s12_difference[24], remainder_s13_difference[24],
+        remainder_s14_difference[24], remainder_s15_difference[24], remainder_s16_difference[24],
+        remainder_s17_difference[24], remainder_s18_difference[24], remainder_s19_difference[24],
+        remainder_s1_difference[24], remainder_s1_minus_divisor_s1[24], remainder_s20_difference[24],
+        remainder_s21_difference[24], remainder_s22_difference[24], remainder_s23_difference[24],
+        remainder_s24_difference[24], remainder_s25_difference[24], remainder_s26_difference[24],
+        remainder_s2_minus_divisor_s2[24], remainder_s3_minus_divisor_s3[24],
+        remainder_s4_minus_divisor_s4[24], remainder_s5_minus_divisor_s5[24],
+        remainder_s6_minus_divisor_s6[24], remainder_s7_minus_divisor_s7[24],
+        remainder_s8_minus_divisor_s8[24], remainder_s9_minus_divisor_s9[24], significand_s27[25]
     };
 endmodule
 
 // Queue of two in registers.
 // width = 621
 module stream_skid_w621 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [620:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [620:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [620:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [620:0] out_data
 );
     reg second_valid;
     reg [620:0] head, second;
@@ -8715,17 +8552,14 @@ module stream_skid_w621 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -8734,73 +8568,72 @@ endmodule
 // latency = 25
 // initiation_interval = 1
 module splat_transform (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in world space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [31:0] in_center_x,
-    input  wire [31:0] in_center_y,
-    input  wire [31:0] in_center_z,
-    input  wire [31:0] in_tangent1_x,
-    input  wire [31:0] in_tangent1_y,
-    input  wire [31:0] in_tangent1_z,
-    input  wire [31:0] in_tangent2_x,
-    input  wire [31:0] in_tangent2_y,
-    input  wire [31:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [31:0] m00,
-    input  wire [31:0] m01,
-    input  wire [31:0] m02,
-    input  wire [31:0] m03,
-    input  wire [31:0] m10,
-    input  wire [31:0] m11,
-    input  wire [31:0] m12,
-    input  wire [31:0] m13,
-    input  wire [31:0] m20,
-    input  wire [31:0] m21,
-    input  wire [31:0] m22,
-    input  wire [31:0] m23,
-    input  wire [31:0] near_plane,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [31:0] in_center_x,  // Center.
+    input  wire [31:0] in_center_y,  // Center.
+    input  wire [31:0] in_center_z,  // Center.
+    input  wire [31:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [31:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [15:0] in_attribute_3,  // Attributes.
+    input  wire [15:0] in_attribute_4,  // Attributes.
+    input  wire [15:0] in_attribute_5,  // Attributes.
+    input  wire [15:0] in_attribute_6,  // Attributes.
+    input  wire [15:0] in_attribute_7,  // Attributes.
+    input  wire [15:0] in_attribute_8,  // Attributes.
+    input  wire [15:0] in_attribute_9,  // Attributes.
+    input  wire [15:0] in_attribute_10,  // Attributes.
+    input  wire [15:0] in_attribute_11,  // Attributes.
+    input  wire [15:0] in_attribute_12,  // Attributes.
+    input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [31:0] m00,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m01,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m02,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m03,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m10,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m11,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m12,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m13,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m20,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m21,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m22,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] m23,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [31:0] near_plane,  // Near plane.
+    output wire out_valid,  // Splats in camera space.
     input  wire out_ready,
-    output wire out_end,
-    output wire [31:0] out_center_x,
-    output wire [31:0] out_center_y,
-    output wire [31:0] out_center_z,
-    output wire [31:0] out_tangent1_x,
-    output wire [31:0] out_tangent1_y,
-    output wire [31:0] out_tangent1_z,
-    output wire [31:0] out_tangent2_x,
-    output wire [31:0] out_tangent2_y,
-    output wire [31:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire out_end,  // Closes the frame.
+    output wire [31:0] out_center_x,  // Center.
+    output wire [31:0] out_center_y,  // Center.
+    output wire [31:0] out_center_z,  // Center.
+    output wire [31:0] out_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [31:0] out_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [15:0] out_attribute_3,  // Attributes.
+    output wire [15:0] out_attribute_4,  // Attributes.
+    output wire [15:0] out_attribute_5,  // Attributes.
+    output wire [15:0] out_attribute_6,  // Attributes.
+    output wire [15:0] out_attribute_7,  // Attributes.
+    output wire [15:0] out_attribute_8,  // Attributes.
+    output wire [15:0] out_attribute_9,  // Attributes.
+    output wire [15:0] out_attribute_10,  // Attributes.
+    output wire [15:0] out_attribute_11,  // Attributes.
+    output wire [15:0] out_attribute_12,  // Attributes.
+    output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [287:0] delay_6_from_0 [0:4];
@@ -8821,33 +8654,33 @@ module splat_transform (
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
     reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
     reg [15:0] attribute_12_d1;
-    reg [31:0] add_55_d1, add_55_d2, add_56_d1, add_56_d2, add_57_d1, add_57_d2;
-    reg equal_100_d1;
-    reg [15:0] select_106_d1;
-    reg equal_111_d1;
-    reg [15:0] select_114_d1;
-    reg equal_119_d1;
-    reg [15:0] select_122_d1;
-    reg equal_127_d1;
-    reg [15:0] select_130_d1;
-    reg equal_135_d1;
-    reg [15:0] select_138_d1;
-    reg equal_143_d1;
-    reg [15:0] select_146_d1;
-    reg equal_151_d1;
-    reg [15:0] select_154_d1;
-    reg equal_159_d1;
-    reg [15:0] select_162_d1;
-    reg equal_167_d1;
-    reg [15:0] select_170_d1;
-    reg equal_175_d1;
-    reg [15:0] select_178_d1;
-    reg equal_183_d1;
-    reg [15:0] select_186_d1;
-    reg equal_191_d1;
-    reg [15:0] select_194_d1;
-    reg equal_199_d1;
-    reg [15:0] select_202_d1;
+    reg [31:0] u_x_d1, u_x_d2, u_y_d1, u_y_d2, u_z_d1, u_z_d2;
+    reg attribute_0_bits_is_31_d1;
+    reg [15:0] attribute_0_out_chosen_d1;
+    reg attribute_1_bits_is_31_d1;
+    reg [15:0] attribute_1_out_chosen_d1;
+    reg attribute_2_bits_is_31_d1;
+    reg [15:0] attribute_2_out_chosen_d1;
+    reg attribute_3_bits_is_31_d1;
+    reg [15:0] attribute_3_out_chosen_d1;
+    reg attribute_4_bits_is_31_d1;
+    reg [15:0] attribute_4_out_chosen_d1;
+    reg attribute_5_bits_is_31_d1;
+    reg [15:0] attribute_5_out_chosen_d1;
+    reg attribute_6_bits_is_31_d1;
+    reg [15:0] attribute_6_out_chosen_d1;
+    reg attribute_7_bits_is_31_d1;
+    reg [15:0] attribute_7_out_chosen_d1;
+    reg attribute_8_bits_is_31_d1;
+    reg [15:0] attribute_8_out_chosen_d1;
+    reg attribute_9_bits_is_31_d1;
+    reg [15:0] attribute_9_out_chosen_d1;
+    reg attribute_10_bits_is_31_d1;
+    reg [15:0] attribute_10_out_chosen_d1;
+    reg attribute_11_bits_is_31_d1;
+    reg [15:0] attribute_11_out_chosen_d1;
+    reg attribute_12_bits_is_31_d1;
+    reg [15:0] attribute_12_out_chosen_d1;
     reg [24:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -8870,59 +8703,89 @@ module splat_transform (
     wire [31:0] add_f32_ftz_unit_copy21_y;
     wire lt_f32_ftz_unit_y;
 
-    wire or_95 = delay_25_from_0_out[0] | lt_f32_ftz_unit_y;
-    wire equal_100 = in_attribute_0[14:10] == 5'd31;
-    wire equal_102 = in_attribute_0[9:0] == 10'd0;
-    wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire equal_111 = 5'd31 == in_attribute_1[14:10];
-    wire equal_112 = 10'd0 == in_attribute_1[9:0];
-    wire [15:0] select_114 = equal_112 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
-    wire equal_119 = 5'd31 == in_attribute_2[14:10];
-    wire equal_120 = 10'd0 == in_attribute_2[9:0];
-    wire [15:0] select_122 = equal_120 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
-    wire equal_127 = 5'd31 == in_attribute_3[14:10];
-    wire equal_128 = 10'd0 == in_attribute_3[9:0];
-    wire [15:0] select_130 = equal_128 ? {in_attribute_3[15], 15'h7bff} : 16'd0;
-    wire equal_135 = 5'd31 == in_attribute_4[14:10];
-    wire equal_136 = 10'd0 == in_attribute_4[9:0];
-    wire [15:0] select_138 = equal_136 ? {in_attribute_4[15], 15'h7bff} : 16'd0;
-    wire equal_143 = 5'd31 == in_attribute_5[14:10];
-    wire equal_144 = 10'd0 == in_attribute_5[9:0];
-    wire [15:0] select_146 = equal_144 ? {in_attribute_5[15], 15'h7bff} : 16'd0;
-    wire equal_151 = 5'd31 == in_attribute_6[14:10];
-    wire equal_152 = 10'd0 == in_attribute_6[9:0];
-    wire [15:0] select_154 = equal_152 ? {in_attribute_6[15], 15'h7bff} : 16'd0;
-    wire equal_159 = 5'd31 == in_attribute_7[14:10];
-    wire equal_160 = 10'd0 == in_attribute_7[9:0];
-    wire [15:0] select_162 = equal_160 ? {in_attribute_7[15], 15'h7bff} : 16'd0;
-    wire equal_167 = 5'd31 == in_attribute_8[14:10];
-    wire equal_168 = 10'd0 == in_attribute_8[9:0];
-    wire [15:0] select_170 = equal_168 ? {in_attribute_8[15], 15'h7bff} : 16'd0;
-    wire equal_175 = 5'd31 == in_attribute_9[14:10];
-    wire equal_176 = 10'd0 == in_attribute_9[9:0];
-    wire [15:0] select_178 = equal_176 ? {in_attribute_9[15], 15'h7bff} : 16'd0;
-    wire equal_183 = 5'd31 == in_attribute_10[14:10];
-    wire equal_184 = 10'd0 == in_attribute_10[9:0];
-    wire [15:0] select_186 = equal_184 ? {in_attribute_10[15], 15'h7bff} : 16'd0;
-    wire equal_191 = 5'd31 == in_attribute_11[14:10];
-    wire equal_192 = 10'd0 == in_attribute_11[9:0];
-    wire [15:0] select_194 = equal_192 ? {in_attribute_11[15], 15'h7bff} : 16'd0;
-    wire equal_199 = 5'd31 == in_attribute_12[14:10];
-    wire equal_200 = 10'd0 == in_attribute_12[9:0];
-    wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
-    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
-    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
-    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
-    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
-    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
-    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
-    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
-    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
-    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
-    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
-    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
-    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
+    wire end_d25 = delay_25_from_0_out[0];
+    wire end_or_near_plane_below_u_z = end_d25 | lt_f32_ftz_unit_y;
+    wire [31:0] v1_x_d8 = delay_8_from_0_out[31:0];
+    wire [31:0] v1_y_d8 = delay_8_from_0_out[63:32];
+    wire [31:0] v1_z_d8 = delay_8_from_0_out[95:64];
+    wire [31:0] v2_x_d8 = delay_8_from_0_out[127:96];
+    wire [31:0] v2_y_d8 = delay_8_from_0_out[159:128];
+    wire [31:0] v2_z_d8 = delay_8_from_0_out[191:160];
+    wire [15:0] attribute_0_out_d24 = delay_24_from_0_out[15:0];
+    wire [15:0] attribute_1_out_d24 = delay_24_from_0_out[31:16];
+    wire [15:0] attribute_2_out_d24 = delay_24_from_0_out[47:32];
+    wire [15:0] attribute_3_out_d24 = delay_24_from_0_out[63:48];
+    wire [15:0] attribute_4_out_d24 = delay_24_from_0_out[79:64];
+    wire [15:0] attribute_5_out_d24 = delay_24_from_0_out[95:80];
+    wire [15:0] attribute_6_out_d24 = delay_24_from_0_out[111:96];
+    wire [15:0] attribute_7_out_d24 = delay_24_from_0_out[127:112];
+    wire [15:0] attribute_8_out_d24 = delay_24_from_0_out[143:128];
+    wire [15:0] attribute_9_out_d24 = delay_24_from_0_out[159:144];
+    wire [15:0] attribute_10_out_d24 = delay_24_from_0_out[175:160];
+    wire [15:0] attribute_11_out_d24 = delay_24_from_0_out[191:176];
+    wire [15:0] attribute_12_out_d24 = delay_24_from_0_out[207:192];
+    wire [15:0] cardinal_0_d25 = delay_25_from_0_out[16:1];
+    wire [31:0] m02_times_center_z_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] m12_times_center_z_d6 = delay_6_from_0_out[63:32];
+    wire [31:0] m22_times_center_z_d6 = delay_6_from_0_out[95:64];
+    wire [31:0] m02_times_tangent1_z_d6 = delay_6_from_0_out[127:96];
+    wire [31:0] m12_times_tangent1_z_d6 = delay_6_from_0_out[159:128];
+    wire [31:0] m22_times_tangent1_z_d6 = delay_6_from_0_out[191:160];
+    wire [31:0] m02_times_tangent2_z_d6 = delay_6_from_0_out[223:192];
+    wire [31:0] m12_times_tangent2_z_d6 = delay_6_from_0_out[255:224];
+    wire [31:0] m22_times_tangent2_z_d6 = delay_6_from_0_out[287:256];
+    wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
+    wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire attribute_1_bits_is_31 = 5'd31 == in_attribute_1[14:10];
+    wire zero_is_attribute_1_bits = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] attribute_1_out_chosen = zero_is_attribute_1_bits ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire attribute_2_bits_is_31 = 5'd31 == in_attribute_2[14:10];
+    wire zero_is_attribute_2_bits = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] attribute_2_out_chosen = zero_is_attribute_2_bits ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire attribute_3_bits_is_31 = 5'd31 == in_attribute_3[14:10];
+    wire zero_is_attribute_3_bits = 10'd0 == in_attribute_3[9:0];
+    wire [15:0] attribute_3_out_chosen = zero_is_attribute_3_bits ? {in_attribute_3[15], 15'h7bff} : 16'd0;
+    wire attribute_4_bits_is_31 = 5'd31 == in_attribute_4[14:10];
+    wire zero_is_attribute_4_bits = 10'd0 == in_attribute_4[9:0];
+    wire [15:0] attribute_4_out_chosen = zero_is_attribute_4_bits ? {in_attribute_4[15], 15'h7bff} : 16'd0;
+    wire attribute_5_bits_is_31 = 5'd31 == in_attribute_5[14:10];
+    wire zero_is_attribute_5_bits = 10'd0 == in_attribute_5[9:0];
+    wire [15:0] attribute_5_out_chosen = zero_is_attribute_5_bits ? {in_attribute_5[15], 15'h7bff} : 16'd0;
+    wire attribute_6_bits_is_31 = 5'd31 == in_attribute_6[14:10];
+    wire zero_is_attribute_6_bits = 10'd0 == in_attribute_6[9:0];
+    wire [15:0] attribute_6_out_chosen = zero_is_attribute_6_bits ? {in_attribute_6[15], 15'h7bff} : 16'd0;
+    wire attribute_7_bits_is_31 = 5'd31 == in_attribute_7[14:10];
+    wire zero_is_attribute_7_bits = 10'd0 == in_attribute_7[9:0];
+    wire [15:0] attribute_7_out_chosen = zero_is_attribute_7_bits ? {in_attribute_7[15], 15'h7bff} : 16'd0;
+    wire attribute_8_bits_is_31 = 5'd31 == in_attribute_8[14:10];
+    wire zero_is_attribute_8_bits = 10'd0 == in_attribute_8[9:0];
+    wire [15:0] attribute_8_out_chosen = zero_is_attribute_8_bits ? {in_attribute_8[15], 15'h7bff} : 16'd0;
+    wire attribute_9_bits_is_31 = 5'd31 == in_attribute_9[14:10];
+    wire zero_is_attribute_9_bits = 10'd0 == in_attribute_9[9:0];
+    wire [15:0] attribute_9_out_chosen = zero_is_attribute_9_bits ? {in_attribute_9[15], 15'h7bff} : 16'd0;
+    wire attribute_10_bits_is_31 = 5'd31 == in_attribute_10[14:10];
+    wire zero_is_attribute_10_bits = 10'd0 == in_attribute_10[9:0];
+    wire [15:0] attribute_10_out_chosen = zero_is_attribute_10_bits ? {in_attribute_10[15], 15'h7bff} : 16'd0;
+    wire attribute_11_bits_is_31 = 5'd31 == in_attribute_11[14:10];
+    wire zero_is_attribute_11_bits = 10'd0 == in_attribute_11[9:0];
+    wire [15:0] attribute_11_out_chosen = zero_is_attribute_11_bits ? {in_attribute_11[15], 15'h7bff} : 16'd0;
+    wire attribute_12_bits_is_31 = 5'd31 == in_attribute_12[14:10];
+    wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
+    wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
+    wire [15:0] attribute_11_out = attribute_11_bits_is_31_d1 ? attribute_11_out_chosen_d1 : attribute_11_d1;
+    wire [15:0] attribute_10_out = attribute_10_bits_is_31_d1 ? attribute_10_out_chosen_d1 : attribute_10_d1;
+    wire [15:0] attribute_9_out = attribute_9_bits_is_31_d1 ? attribute_9_out_chosen_d1 : attribute_9_d1;
+    wire [15:0] attribute_8_out = attribute_8_bits_is_31_d1 ? attribute_8_out_chosen_d1 : attribute_8_d1;
+    wire [15:0] attribute_7_out = attribute_7_bits_is_31_d1 ? attribute_7_out_chosen_d1 : attribute_7_d1;
+    wire [15:0] attribute_6_out = attribute_6_bits_is_31_d1 ? attribute_6_out_chosen_d1 : attribute_6_d1;
+    wire [15:0] attribute_5_out = attribute_5_bits_is_31_d1 ? attribute_5_out_chosen_d1 : attribute_5_d1;
+    wire [15:0] attribute_4_out = attribute_4_bits_is_31_d1 ? attribute_4_out_chosen_d1 : attribute_4_d1;
+    wire [15:0] attribute_3_out = attribute_3_bits_is_31_d1 ? attribute_3_out_chosen_d1 : attribute_3_d1;
+    wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
+    wire [15:0] attribute_1_out = attribute_1_bits_is_31_d1 ? attribute_1_out_chosen_d1 : attribute_1_d1;
+    wire [15:0] attribute_0_out = attribute_0_bits_is_31_d1 ? attribute_0_out_chosen_d1 : attribute_0_d1;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
@@ -8934,17 +8797,14 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w513 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[24] & or_95), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[24] & end_or_near_plane_below_u_z),
+        .in_ready(queue_in_ready),
         .in_data({
-            delay_25_from_0_out[0], add_55_d2, add_56_d2, add_57_d2, delay_8_from_0_out[31:0],
-            delay_8_from_0_out[63:32], delay_8_from_0_out[95:64], delay_8_from_0_out[127:96],
-            delay_8_from_0_out[159:128], delay_8_from_0_out[191:160], delay_24_from_0_out[15:0],
-            delay_24_from_0_out[31:16], delay_24_from_0_out[47:32], delay_24_from_0_out[63:48],
-            delay_24_from_0_out[79:64], delay_24_from_0_out[95:80], delay_24_from_0_out[111:96],
-            delay_24_from_0_out[127:112], delay_24_from_0_out[143:128], delay_24_from_0_out[159:144],
-            delay_24_from_0_out[175:160], delay_24_from_0_out[191:176], delay_24_from_0_out[207:192],
-            delay_25_from_0_out[16:1]
+            end_d25, u_x_d2, u_y_d2, u_z_d2, v1_x_d8, v1_y_d8, v1_z_d8, v2_x_d8, v2_y_d8, v2_z_d8,
+            attribute_0_out_d24, attribute_1_out_d24, attribute_2_out_d24, attribute_3_out_d24,
+            attribute_4_out_d24, attribute_5_out_d24, attribute_6_out_d24, attribute_7_out_d24,
+            attribute_8_out_d24, attribute_9_out_d24, attribute_10_out_d24, attribute_11_out_d24,
+            attribute_12_out_d24, cardinal_0_d25
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -9063,7 +8923,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(delay_6_from_0_out[31:0]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(m02_times_center_z_d6),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
@@ -9073,7 +8933,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(delay_6_from_0_out[63:32]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(m12_times_center_z_d6),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
@@ -9083,7 +8943,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out[95:64]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(m22_times_center_z_d6),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
@@ -9108,7 +8968,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_y), .b(delay_6_from_0_out[127:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_y), .b(m02_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
@@ -9118,7 +8978,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(delay_6_from_0_out[159:128]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(m12_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
@@ -9128,7 +8988,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[191:160]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(m22_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
@@ -9138,7 +8998,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(delay_6_from_0_out[223:192]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(m02_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
@@ -9148,7 +9008,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(delay_6_from_0_out[255:224]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(m12_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
@@ -9158,7 +9018,7 @@ module splat_transform (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_y), .b(delay_6_from_0_out[287:256]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_y), .b(m22_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy21_y)
     );
 
@@ -9197,38 +9057,38 @@ module splat_transform (
             attribute_10_d1 <= in_attribute_10;
             attribute_11_d1 <= in_attribute_11;
             attribute_12_d1 <= in_attribute_12;
-            add_55_d1 <= add_f32_ftz_unit_copy7_y;
-            add_55_d2 <= add_55_d1;
-            add_56_d1 <= add_f32_ftz_unit_copy8_y;
-            add_56_d2 <= add_56_d1;
-            add_57_d1 <= add_f32_ftz_unit_copy9_y;
-            add_57_d2 <= add_57_d1;
-            equal_100_d1 <= equal_100;
-            select_106_d1 <= select_106;
-            equal_111_d1 <= equal_111;
-            select_114_d1 <= select_114;
-            equal_119_d1 <= equal_119;
-            select_122_d1 <= select_122;
-            equal_127_d1 <= equal_127;
-            select_130_d1 <= select_130;
-            equal_135_d1 <= equal_135;
-            select_138_d1 <= select_138;
-            equal_143_d1 <= equal_143;
-            select_146_d1 <= select_146;
-            equal_151_d1 <= equal_151;
-            select_154_d1 <= select_154;
-            equal_159_d1 <= equal_159;
-            select_162_d1 <= select_162;
-            equal_167_d1 <= equal_167;
-            select_170_d1 <= select_170;
-            equal_175_d1 <= equal_175;
-            select_178_d1 <= select_178;
-            equal_183_d1 <= equal_183;
-            select_186_d1 <= select_186;
-            equal_191_d1 <= equal_191;
-            select_194_d1 <= select_194;
-            equal_199_d1 <= equal_199;
-            select_202_d1 <= select_202;
+            u_x_d1 <= add_f32_ftz_unit_copy7_y;
+            u_x_d2 <= u_x_d1;
+            u_y_d1 <= add_f32_ftz_unit_copy8_y;
+            u_y_d2 <= u_y_d1;
+            u_z_d1 <= add_f32_ftz_unit_copy9_y;
+            u_z_d2 <= u_z_d1;
+            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
+            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
+            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
+            attribute_3_bits_is_31_d1 <= attribute_3_bits_is_31;
+            attribute_3_out_chosen_d1 <= attribute_3_out_chosen;
+            attribute_4_bits_is_31_d1 <= attribute_4_bits_is_31;
+            attribute_4_out_chosen_d1 <= attribute_4_out_chosen;
+            attribute_5_bits_is_31_d1 <= attribute_5_bits_is_31;
+            attribute_5_out_chosen_d1 <= attribute_5_out_chosen;
+            attribute_6_bits_is_31_d1 <= attribute_6_bits_is_31;
+            attribute_6_out_chosen_d1 <= attribute_6_out_chosen;
+            attribute_7_bits_is_31_d1 <= attribute_7_bits_is_31;
+            attribute_7_out_chosen_d1 <= attribute_7_out_chosen;
+            attribute_8_bits_is_31_d1 <= attribute_8_bits_is_31;
+            attribute_8_out_chosen_d1 <= attribute_8_out_chosen;
+            attribute_9_bits_is_31_d1 <= attribute_9_bits_is_31;
+            attribute_9_out_chosen_d1 <= attribute_9_out_chosen;
+            attribute_10_bits_is_31_d1 <= attribute_10_bits_is_31;
+            attribute_10_out_chosen_d1 <= attribute_10_out_chosen;
+            attribute_11_bits_is_31_d1 <= attribute_11_bits_is_31;
+            attribute_11_out_chosen_d1 <= attribute_11_out_chosen;
+            attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
+            attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
         end
     end
     always @(posedge clk) begin
@@ -9253,8 +9113,9 @@ module splat_transform (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_24_from_0[delay_24_from_0_pointer] <= {
-                select_203, select_195, select_187, select_179, select_171, select_163, select_155, select_147,
-                select_139, select_131, select_123, select_115, select_107
+                attribute_12_out, attribute_11_out, attribute_10_out, attribute_9_out, attribute_8_out,
+                attribute_7_out, attribute_6_out, attribute_5_out, attribute_4_out, attribute_3_out, attribute_2_out,
+                attribute_1_out, attribute_0_out
             };
         end
         if (queue_in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
@@ -9269,24 +9130,21 @@ endmodule
 // stages = 2
 // format = f32-ftz
 module float_lt_s2_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_3 = {a[30:23], term_1};
-    wire [30:0] joined_4 = {b[30:23], term_2};
+    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
+    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[30:23] & |term_1) | (&b[30:23] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 31'd0;
-            compared_s1 <= {~a[31], joined_3 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
+            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} < {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -9296,10 +9154,7 @@ endmodule
 // stages = 6
 // format = f32-ftz
 module float_add_s6_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [9:0] distance_s1;
@@ -9318,100 +9173,100 @@ module float_add_s6_f32ftz (
     wire [7:0] b_field = b[30:23];
     wire [7:0] a_field = a[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [23:0] joined_1 = {|b_field, b_fraction & {23{|b_field}}};
+    wire [23:0] large_s1_bits = {|b_field, b_fraction & {23{|b_field}}};
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] joined_2 = {|a_field, a_fraction & {23{|a_field}}};
-    wire [26:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [26:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [26:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [26:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [26:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [26:0] joined_10 = {choice_7[26:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[31] ^ b[31];
-    wire [28:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {28{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 23'd0);
-    wire term_14 = &b_field & (b_fraction == 23'd0);
-    wire term_15 = ~sum_s3[27] & ~sum_s3[26];
-    wire term_16 = term_15 & (~sum_s3[25] & ~sum_s3[24]);
-    wire term_17 = ~sum_s3[23] & ~sum_s3[22];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[21] & ~sum_s3[20]));
-    wire term_19 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_20 = term_19 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_21 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[13] & ~sum_s3[12])));
-    wire term_23 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_24 = term_23 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_25 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_26 = term_24 & (term_25 & (~sum_s3[5] & ~sum_s3[4]));
-    wire term_27 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_28 = term_27 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_29 = term_28 ? 2'd0 : {term_27, term_27 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_30 = term_24 ? {term_25, term_25 ? ~sum_s3[5] : ~sum_s3[7]} : {term_23, term_23 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [3:0] joined_31 = {term_26, term_26 ? {term_28, choice_29} : {term_24, choice_30}};
-    wire [1:0] choice_32 = term_20 ? {term_21, term_21 ? ~sum_s3[13] : ~sum_s3[15]} : {term_19, term_19 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [1:0] choice_33 = term_16 ? {term_17, term_17 ? ~sum_s3[21] : ~sum_s3[23]} : {term_15, term_15 ? ~sum_s3[25] : ~sum_s3[27]};
-    wire [3:0] joined_34 = {term_18, term_18 ? {term_20, choice_32} : {term_16, choice_33}};
-    wire [27:0] shifted_35 = value_s4 << zeros_s4;
-    wire term_36 = sum_s3 == 28'd0;
-    wire term_37 = (exponent_s5 == 10'd0) & ~(&significand_s5[24:2] & significand_s5[1]);
-    wire term_38 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [23:0] large_s1_bits_2 = {|a_field, a_fraction & {23{|a_field}}};
+    wire [26:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [26:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [26:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [26:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [26:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_31_xor_b_31 = a[31] ^ b[31];
+    wire [28:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {28{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire zeros_s4_both = ~sum_s3[27] & ~sum_s3[26];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[25] & ~sum_s3[24]);
+    wire zeros_s4_both_3 = ~sum_s3[23] & ~sum_s3[22];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[21] & ~sum_s3[20]));
+    wire zeros_s4_both_5 = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_7 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_8 = zeros_s4_both_6 & (zeros_s4_both_7 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_9 = zeros_s4_both_4 & zeros_s4_both_8;
+    wire zeros_s4_both_10 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_11 = zeros_s4_both_10 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_12 = zeros_s4_both_11 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_13 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_11 ? zeros_s4_bits_2 : {zeros_s4_both_10, zeros_s4_both_10 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [2:0] zeros_s4_choice_2 = zeros_s4_both_12 ? {zeros_s4_both_13, zeros_s4_both_13 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_11, zeros_s4_choice};
+    wire [1:0] zeros_s4_choice_3 = zeros_s4_both_6 ? {zeros_s4_both_7, zeros_s4_both_7 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [1:0] zeros_s4_choice_4 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[21] : ~sum_s3[23]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[25] : ~sum_s3[27]};
+    wire [2:0] zeros_s4_choice_5 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice_3} : {zeros_s4_both_2, zeros_s4_choice_4};
+    wire [3:0] zeros_s4_choice_6 = zeros_s4_both_9 ? {zeros_s4_both_12, zeros_s4_choice_2} : {zeros_s4_both_4, zeros_s4_choice_5};
+    wire [27:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 28'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[24:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [30:0] rounded = {exponent_s5[7:0], significand_s5[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_39 = (zero_s5 | ((exponent_s5[9] | term_37) & ~infinite_s5)) ? 31'd0 : term_38 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[26:1], aligned_s2_either_3};
+            subtract_s1 <= a_31_xor_b_31;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[28:1];
+            sum_s3 <= sum_s3_sum[28:1];
             sign_s1 <= swap ? b[31] : a[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_31_xor_b_31);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? joined_31 : joined_34};
+            zeros_s4 <= {zeros_s4_both_9, zeros_s4_choice_6};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_35[27:3], |shifted_35[2:0]};
-            sign_s4 <= sign_s3 & ~(term_36 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[27:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_36 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, choice_39};
+            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_s3_sum[0]};
 endmodule
 
 // Floating-point product.
 // stages = 5
 // format = f32-ftz
 module float_mul_s5_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [23:0] left_s1, right_s1;
@@ -9427,18 +9282,18 @@ module float_mul_s5_f32ftz (
     wire [22:0] a_fraction = a[22:0];
     wire [7:0] b_field = b[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [47:0] term_1 = {24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24);
-    wire [47:0] choice_2 = product_s3[47] ? product_s3 : (product_s3 << 1);
-    wire term_3 = &a_field & (a_fraction == 23'd0);
-    wire term_4 = ~(|b_field);
-    wire term_5 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_3 & term_4);
-    wire term_6 = ~(|a_field);
-    wire term_7 = &b_field & (b_fraction == 23'd0);
-    wire term_8 = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
-    wire term_9 = infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4));
+    wire [47:0] product_s3_sum = ({24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24)) + ({24'd0, partial_0_12_s2} << 12);
+    wire [47:0] significand_s4_choice = product_s3[47] ? product_s3 : (product_s3 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire y_both = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
     wire [30:0] rounded = {exponent_s4[7:0], significand_s4[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_10 = (zero_s4 | ((exponent_s4[9] | term_8) & ~infinite_s4)) ? 31'd0 : term_9 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s4 | ((exponent_s4[9] | y_both) & ~infinite_s4)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -9449,28 +9304,28 @@ module float_mul_s5_f32ftz (
             partial_0_12_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[23:12]};
             partial_12_0_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[11:0]};
             partial_12_12_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[23:12]};
-            product_s3 <= term_1 + ({24'd0, partial_0_12_s2} << 12) + ({24'd0, partial_12_0_s2} << 12);
+            product_s3 <= product_s3_sum + ({24'd0, partial_12_0_s2} << 12);
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3 + {9'd0, product_s3[47]};
-            significand_s4 <= {choice_2[47:23], |choice_2[22:0]};
+            significand_s4 <= {significand_s4_choice[47:23], |significand_s4_choice[22:0]};
             sign_s1 <= a[31] ^ b[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
-            nan_s1 <= term_5 | (term_6 & term_7);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
-            infinite_s1 <= term_3 | term_7;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s1 <= term_6 | term_4;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
-            y <= nan_s4 ? 32'h7fc00000 : {sign_s4, choice_10};
+            y <= nan_s4 ? 32'h7fc00000 : {sign_s4, y_choice_2};
         end
     end
 
@@ -9480,14 +9335,9 @@ endmodule
 // Queue of two in registers.
 // width = 513
 module stream_skid_w513 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [512:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [512:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [512:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [512:0] out_data
 );
     reg second_valid;
     reg [512:0] head, second;
@@ -9513,17 +9363,14 @@ module stream_skid_w513 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

@@ -3,76 +3,75 @@
 
 // Neighbor search on AXI.
 module search_axi (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output wire s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output wire s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output wire s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output wire s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output wire [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    input  wire s_axis_query_tvalid,
+    output wire [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    input  wire s_axis_query_tvalid,  // Beats of packets.
     output wire s_axis_query_tready,
-    input  wire [63:0] s_axis_query_tdata,
-    input  wire s_axis_query_tlast,
-    output wire m_axis_result_tvalid,
+    input  wire [63:0] s_axis_query_tdata,  // Its bytes.
+    input  wire s_axis_query_tlast,  // Closes its packet.
+    output wire m_axis_result_tvalid,  // Beats of packets.
     input  wire m_axis_result_tready,
-    output wire [63:0] m_axis_result_tdata,
-    output wire m_axis_result_tlast,
-    output wire m_axi_arvalid,
+    output wire [63:0] m_axis_result_tdata,  // Its bytes.
+    output wire m_axis_result_tlast,  // Closes its packet.
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    input  wire s_axi_awvalid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    input  wire s_axi_awvalid,  // Bursts to be written.
     output wire s_axi_awready,
-    input  wire [3:0] s_axi_awid,
-    input  wire [31:0] s_axi_awaddr,
-    input  wire [7:0] s_axi_awlen,
-    input  wire [2:0] s_axi_awsize,
-    input  wire [1:0] s_axi_awburst,
-    input  wire s_axi_wvalid,
+    input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
+    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [7:0] s_axi_awlen,  // One less than its beats.
+    input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
+    input  wire s_axi_wvalid,  // Their beats.
     output wire s_axi_wready,
-    input  wire [63:0] s_axi_wdata,
-    input  wire [7:0] s_axi_wstrb,
-    input  wire s_axi_wlast,
-    output wire s_axi_bvalid,
+    input  wire [63:0] s_axi_wdata,  // Its bytes.
+    input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
+    input  wire s_axi_wlast,  // Closes its burst.
+    output wire s_axi_bvalid,  // Answers to bursts.
     input  wire s_axi_bready,
-    output wire [3:0] s_axi_bid,
-    output wire [1:0] s_axi_bresp,
-    input  wire s_axi_arvalid,
+    output wire [3:0] s_axi_bid,  // The burst's identifier.
+    output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axi_arvalid,  // Bursts wanted.
     output wire s_axi_arready,
-    input  wire [3:0] s_axi_arid,
-    input  wire [31:0] s_axi_araddr,
-    input  wire [7:0] s_axi_arlen,
-    input  wire [2:0] s_axi_arsize,
-    input  wire [1:0] s_axi_arburst,
-    output wire s_axi_rvalid,
+    input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
+    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [7:0] s_axi_arlen,  // One less than its beats.
+    input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
+    output wire s_axi_rvalid,  // Their beats.
     input  wire s_axi_rready,
-    output wire [3:0] s_axi_rid,
-    output wire [63:0] s_axi_rdata,
-    output wire [1:0] s_axi_rresp,
-    output wire s_axi_rlast,
-    output wire irq
+    output wire [3:0] s_axi_rid,  // The burst's identifier.
+    output wire [63:0] s_axi_rdata,  // Its bytes.
+    output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
+    output wire s_axi_rlast,  // Closes its burst.
+    output wire irq  // Interrupt.
 );
     reg [31:0] queries_left, answers_left;
     reg [2:0] beat;
@@ -130,10 +129,10 @@ module search_axi (
     wire gives_beat = points_record_valid & fetches_out_valid;
     wire [3:0] fetches_out_thread = fetches_out_data[28:25];
     wire [21:0] fetches_out_address = fetches_out_data[24:3];
-    wire [2:0] sum_1 = beat + 3'd1;
+    wire [2:0] beat_plus_1 = beat + 3'd1;
     wire [2:0] fetches_out_beats = fetches_out_data[2:0];
-    wire last_beat = sum_1 == fetches_out_beats;
-    wire choice_2 = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire last_beat = beat_plus_1 == fetches_out_beats;
+    wire queries_last_choice = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
     wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
     wire points_record_ready = core_beat_ready & fetches_out_valid;
     wire beat_moves = gives_beat & core_beat_ready;
@@ -173,11 +172,11 @@ module search_axi (
     assign irq = registers_irq;
 
     search_top core (
-        .clk(clk), .rst(rst | registers_core_reset),
-        .tree_valid(tree_write_valid), .tree_is_leaf(tree_write_index[14]),
-        .tree_address(tree_write_index[13:0]), .tree_split(tree_write_data[31:0]),
-        .tree_dimension(tree_write_data[33:32]), .tree_internal_leaf(tree_write_data[40]),
-        .tree_begin(tree_write_data[21:0]), .tree_beats(tree_write_data[34:32]),
+        .clk(clk), .rst(rst | registers_core_reset), .tree_valid(tree_write_valid),
+        .tree_is_leaf(tree_write_index[14]), .tree_address(tree_write_index[13:0]),
+        .tree_split(tree_write_data[31:0]), .tree_dimension(tree_write_data[33:32]),
+        .tree_internal_leaf(tree_write_data[40]), .tree_begin(tree_write_data[21:0]),
+        .tree_beats(tree_write_data[34:32]),
         .query_valid(queries_out_valid), .query_ready(core_query_ready), .query_number(queries_out_number),
         .query_k(queries_out_k), .query_radius2(queries_out_radius2), .query_x(queries_out_x),
         .query_y(queries_out_y), .query_z(queries_out_z),
@@ -199,15 +198,13 @@ module search_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
         .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
         .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
         .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
         .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(tree_occupied),
         .busy(registers_busy),
-        .start(registers_start),
-        .core_reset(registers_core_reset),
+        .start(registers_start), .core_reset(registers_core_reset),
         .busy_error(tree_refused_busy),
         .burst_error({points_misplaced, tree_refused_burst}),
         .packet_error(queries_refused),
@@ -220,15 +217,15 @@ module search_axi (
         .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
         .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
         .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq),
-        .points_base(registers_points_base),
+        .irq(registers_irq), .points_base(registers_points_base),
         .queries(registers_queries)
     );
 
     bus_packet_in queries (
-        .clk(clk), .rst(rst), .opens(registers_start), .last((queries_left[31:2] == 30'd0) & choice_2),
-        .s_axis_tvalid(s_axis_query_tvalid), .s_axis_tready(queries_s_axis_tready),
-        .s_axis_tdata(s_axis_query_tdata), .s_axis_tlast(s_axis_query_tlast),
+        .clk(clk), .rst(rst), .opens(registers_start),
+        .last((queries_left[31:2] == 30'd0) & queries_last_choice), .s_axis_tvalid(s_axis_query_tvalid),
+        .s_axis_tready(queries_s_axis_tready), .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tlast(s_axis_query_tlast),
         .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
         .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
         .out_y(queries_out_y), .out_z(queries_out_z),
@@ -236,19 +233,18 @@ module search_axi (
     );
 
     bus_packet_out results (
-        .clk(clk), .rst(rst),
-        .in_valid(core_result_valid), .in_ready(results_in_ready), .in_number(core_result_number),
-        .in_last(core_result_last), .in_found(core_result_found), .in_index(core_result_index),
-        .in_distance2(core_result_distance2),
+        .clk(clk), .rst(rst), .in_valid(core_result_valid), .in_ready(results_in_ready),
+        .in_number(core_result_number), .in_last(core_result_last), .in_found(core_result_found),
+        .in_index(core_result_index), .in_distance2(core_result_distance2),
         .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
         .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
         .sent(results_sent), .idle(results_idle)
     );
 
     bus_reader points (
-        .clk(clk), .rst(rst),
-        .request_valid(core_fetch_valid & fetches_in_ready), .request_ready(points_request_ready),
-        .request_address(points_address), .request_records(core_fetch_beats),
+        .clk(clk), .rst(rst), .request_valid(core_fetch_valid & fetches_in_ready),
+        .request_ready(points_request_ready), .request_address(points_address),
+        .request_records(core_fetch_beats),
         .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
         .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
         .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
@@ -263,28 +259,26 @@ module search_axi (
     );
 
     stream_fifo_d16_w29 fetches (
-        .clk(clk), .rst(rst),
-        .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
+        .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
         .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_window tree (
-        .clk(clk), .rst(rst), .locked(registers_busy),
-        .s_axi_awvalid(s_axi_awvalid), .s_axi_awready(tree_s_axi_awready), .s_axi_awid(s_axi_awid),
-        .s_axi_awaddr(s_axi_awaddr), .s_axi_awlen(s_axi_awlen), .s_axi_awsize(s_axi_awsize),
-        .s_axi_awburst(s_axi_awburst), .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(tree_s_axi_wready),
-        .s_axi_wdata(s_axi_wdata), .s_axi_wstrb(s_axi_wstrb), .s_axi_wlast(s_axi_wlast),
+        .clk(clk), .rst(rst), .locked(registers_busy), .s_axi_awvalid(s_axi_awvalid),
+        .s_axi_awready(tree_s_axi_awready), .s_axi_awid(s_axi_awid), .s_axi_awaddr(s_axi_awaddr),
+        .s_axi_awlen(s_axi_awlen), .s_axi_awsize(s_axi_awsize), .s_axi_awburst(s_axi_awburst),
+        .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(tree_s_axi_wready), .s_axi_wdata(s_axi_wdata),
+        .s_axi_wstrb(s_axi_wstrb), .s_axi_wlast(s_axi_wlast),
         .write_valid(tree_write_valid), .write_index(tree_write_index), .write_data(tree_write_data),
         .s_axi_bvalid(tree_s_axi_bvalid), .s_axi_bready(s_axi_bready), .s_axi_bid(tree_s_axi_bid),
         .s_axi_bresp(tree_s_axi_bresp),
         .refused_busy(tree_refused_busy),
-        .occupied(tree_occupied),
-        .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(tree_s_axi_arready), .s_axi_arid(s_axi_arid),
-        .s_axi_araddr(s_axi_araddr), .s_axi_arlen(s_axi_arlen), .s_axi_arsize(s_axi_arsize),
-        .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(tree_s_axi_rvalid), .s_axi_rready(s_axi_rready),
-        .s_axi_rid(tree_s_axi_rid), .s_axi_rdata(tree_s_axi_rdata), .s_axi_rresp(tree_s_axi_rresp),
-        .s_axi_rlast(tree_s_axi_rlast),
+        .occupied(tree_occupied), .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(tree_s_axi_arready),
+        .s_axi_arid(s_axi_arid), .s_axi_araddr(s_axi_araddr), .s_axi_arlen(s_axi_arlen),
+        .s_axi_arsize(s_axi_arsize), .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(tree_s_axi_rvalid),
+        .s_axi_rready(s_axi_rready), .s_axi_rid(tree_s_axi_rid), .s_axi_rdata(tree_s_axi_rdata),
+        .s_axi_rresp(tree_s_axi_rresp), .s_axi_rlast(tree_s_axi_rlast),
         .refused_burst(tree_refused_burst)
     );
 
@@ -296,7 +290,7 @@ module search_axi (
         end else begin
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
-            if (beat_moves) beat <= last_beat ? 3'd0 : sum_1;
+            if (beat_moves) beat <= last_beat ? 3'd0 : beat_plus_1;
         end
     end
 
@@ -306,44 +300,43 @@ endmodule
 // Takes bursts of words into a memory, and refuses all others.
 // index_bits = 15
 module bus_window (
-    input  wire clk,
-    input  wire rst,
-    input  wire locked,
-    input  wire s_axi_awvalid,
+    input  wire clk, input wire rst,
+    input  wire locked,  // Nothing may be written.
+    input  wire s_axi_awvalid,  // Bursts to be written.
     output wire s_axi_awready,
-    input  wire [3:0] s_axi_awid,
-    input  wire [31:0] s_axi_awaddr,
-    input  wire [7:0] s_axi_awlen,
-    input  wire [2:0] s_axi_awsize,
-    input  wire [1:0] s_axi_awburst,
-    input  wire s_axi_wvalid,
+    input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
+    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [7:0] s_axi_awlen,  // One less than its beats.
+    input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
+    input  wire s_axi_wvalid,  // Their beats.
     output wire s_axi_wready,
-    input  wire [63:0] s_axi_wdata,
-    input  wire [7:0] s_axi_wstrb,
-    input  wire s_axi_wlast,
-    output reg  write_valid,
-    output reg  [14:0] write_index,
-    output reg  [63:0] write_data,
-    output reg  s_axi_bvalid,
+    input  wire [63:0] s_axi_wdata,  // Its bytes.
+    input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
+    input  wire s_axi_wlast,  // Closes its burst.
+    output reg  write_valid,  // Words written.
+    output reg  [14:0] write_index,  // Its place.
+    output reg  [63:0] write_data,  // The word.
+    output reg  s_axi_bvalid,  // Answers to bursts.
     input  wire s_axi_bready,
-    output reg  [3:0] s_axi_bid,
-    output wire [1:0] s_axi_bresp,
-    output reg  refused_busy,
-    output wire occupied,
-    input  wire s_axi_arvalid,
+    output reg  [3:0] s_axi_bid,  // The burst's identifier.
+    output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
+    output reg  refused_busy,  // A burst was refused because nothing may be written.
+    output wire occupied,  // A burst is being written.
+    input  wire s_axi_arvalid,  // Bursts wanted.
     output wire s_axi_arready,
-    input  wire [3:0] s_axi_arid,
-    input  wire [31:0] s_axi_araddr,
-    input  wire [7:0] s_axi_arlen,
-    input  wire [2:0] s_axi_arsize,
-    input  wire [1:0] s_axi_arburst,
-    output reg  s_axi_rvalid,
+    input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
+    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [7:0] s_axi_arlen,  // One less than its beats.
+    input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
+    output reg  s_axi_rvalid,  // Their beats.
     input  wire s_axi_rready,
-    output reg  [3:0] s_axi_rid,
-    output wire [63:0] s_axi_rdata,
-    output wire [1:0] s_axi_rresp,
-    output wire s_axi_rlast,
-    output reg  refused_burst
+    output reg  [3:0] s_axi_rid,  // The burst's identifier.
+    output wire [63:0] s_axi_rdata,  // Its bytes.
+    output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
+    output wire s_axi_rlast,  // Closes its burst.
+    output reg  refused_burst  // A burst was refused for what it is.
 );
     reg is_judged, takes_words, is_plain;
     reg [14:0] index;
@@ -352,26 +345,26 @@ module bus_window (
     reg [7:0] beats_left;
     reg read_waits;
 
-    wire term_1 = is_judged | takes_words;
-    wire address_ready = ~(term_1 | s_axi_bvalid);
+    wire is_judged_or_takes_words = is_judged | takes_words;
+    wire address_ready = ~(is_judged_or_takes_words | s_axi_bvalid);
     wire reads_last = beats_left == 8'd0;
     wire begins = s_axi_awvalid & address_ready;
     wire takes = takes_words & s_axi_wvalid;
     wire at_end = left == 8'd0;
     wire ends = takes & at_end;
-    wire term_2 = begins | takes;
-    wire [15:0] sum_3 = {1'd0, index} + {8'd0, left};
-    wire fits = is_plain & ~sum_3[15];
+    wire begins_or_takes = begins | takes;
+    wire [15:0] index_plus_left = {1'd0, index} + {8'd0, left};
+    wire fits = is_plain & ~index_plus_left[15];
     wire is_bad = ~(&s_axi_wstrb) | (s_axi_wlast ^ at_end);
-    wire term_4 = is_refused | (is_bad & ~is_busy);
+    wire is_error_either = is_refused | (is_bad & ~is_busy);
     wire read_begins = s_axi_arvalid & ~s_axi_rvalid;
     wire beat_goes = s_axi_rvalid & s_axi_rready;
-    wire refused_write = ends & term_4;
+    wire refused_write = ends & is_error_either;
 
     assign s_axi_awready = address_ready;
     assign s_axi_wready = takes_words;
     assign s_axi_bresp = is_error ? 2'd2 : 2'd0;
-    assign occupied = term_1;
+    assign occupied = is_judged_or_takes_words;
     assign s_axi_arready = ~s_axi_rvalid;
     assign s_axi_rdata = 64'd0;
     assign s_axi_rresp = 2'd2;
@@ -403,39 +396,34 @@ module bus_window (
             s_axi_bid <= s_axi_awid;
             is_plain <= (s_axi_awburst == 2'd1) & (s_axi_awsize == 3'd3) & (s_axi_awaddr[2:0] == 3'd0);
         end
-        if (term_2) begin
+        if (begins_or_takes) begin
             index <= begins ? s_axi_awaddr[17:3] : (index + 15'd1);
             left <= begins ? s_axi_awlen : (left - 8'd1);
         end
-        if (is_judged | takes) is_refused <= is_judged ? ~fits : term_4;
+        if (is_judged | takes) is_refused <= is_judged ? ~fits : is_error_either;
         if (is_judged) begin
             is_busy <= fits & locked;
             is_unfit <= ~fits;
         end
         write_index <= index;
         write_data <= s_axi_wdata;
-        if (ends) is_error <= term_4 | is_busy;
+        if (ends) is_error <= is_error_either | is_busy;
         if (read_begins) s_axi_rid <= s_axi_arid;
         if (read_begins | beat_goes) begin
             beats_left <= read_begins ? s_axi_arlen : (beats_left - 8'd1);
         end
     end
 
-    wire _unused = &{1'b0, s_axi_araddr, s_axi_arburst, s_axi_arsize, s_axi_awaddr[31:18], sum_3[14:0]};
+    wire _unused = &{1'b0, index_plus_left[14:0], s_axi_araddr, s_axi_arburst, s_axi_arsize, s_axi_awaddr[31:18]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 29
 module stream_fifo_d16_w29 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [28:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [28:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -450,8 +438,7 @@ module stream_fifo_d16_w29 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(29), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -472,25 +459,16 @@ module stream_fifo_d16_w29 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -500,41 +478,40 @@ endmodule
 // width = 64
 // records = 4
 module bus_reader (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire request_valid,  // Records wanted.
     output wire request_ready,
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [2:0] request_records,  // How many.
-    output wire m_axi_arvalid,
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output reg  record_valid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid,  // The records.
     input  wire record_ready,
-    output wire [31:0] record_x0,
-    output wire [31:0] record_y0,
-    output wire [31:0] record_z0,
-    output wire [31:0] record_x1,
-    output wire [31:0] record_y1,
-    output wire [31:0] record_z1,
-    output wire [31:0] record_x2,
-    output wire [31:0] record_y2,
-    output wire [31:0] record_z2,
-    output wire [31:0] record_x3,
-    output wire [31:0] record_y3,
-    output wire [31:0] record_z3,
-    output reg  error,
-    output reg  misplaced
+    output wire [31:0] record_x0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z3,  // A point a lane; NaN where there is none.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
 );
     reg held;
     reg [25:0] address;
@@ -557,15 +534,15 @@ module bus_reader (
     wire takes_request = ~held | (issues & ~crosses);
     wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {3'd0, records};
-    wire [8:0] difference_1 = {burst, 3'd0} - 9'd1;
-    wire [7:0] length = difference_1[7:0];
+    wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
-    wire term_2 = takes_request | issues;
-    wire [5:0] difference_3 = {3'd0, records} - room_records;
+    wire takes_request_or_issues = takes_request | issues;
+    wire [5:0] records_minus_room_records = {3'd0, records} - room_records;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
     wire takes_beat_1 = moves & (number[2:0] == 3'd1);
     wire takes_beat_2 = moves & (number[2:0] == 3'd2);
@@ -573,7 +550,7 @@ module bus_reader (
     wire takes_beat_4 = moves & (number[2:0] == 3'd4);
     wire takes_beat_5 = moves & (number[2:0] == 3'd5);
     wire beat_queue_out_last = beat_queue_out_data[0];
-    wire term_4 = is_wrong | (beat_queue_out_last ^ ends);
+    wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
@@ -597,21 +574,20 @@ module bus_reader (
     assign record_z3 = held_z3_0;
 
     stream_skid_w34 address_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
+        .in_data({address, length}),
         .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
@@ -628,16 +604,16 @@ module bus_reader (
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
-                is_wrong <= ~ends & term_4;
+                is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
-            misplaced <= moves & (ends & term_4);
+            misplaced <= moves & (ends & is_wrong_either);
         end
     end
     always @(posedge clk) begin
-        if (term_2) begin
+        if (takes_request_or_issues) begin
             address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
-            records <= takes_request ? request_records : difference_3[2:0];
+            records <= takes_request ? request_records : records_minus_room_records[2:0];
         end
         if (takes_beat_0) begin
             held_x0_0 <= beat_queue_out_data[32:1];
@@ -665,21 +641,16 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, difference_1[8], difference_3[5:3], m_axi_rid, request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 8
 module stream_fifo_d16_w8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [7:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [7:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -694,8 +665,7 @@ module stream_fifo_d16_w8 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -716,25 +686,16 @@ module stream_fifo_d16_w8 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -742,14 +703,9 @@ endmodule
 // Queue of two in registers.
 // width = 34
 module stream_skid_w34 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [33:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [33:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
     reg [33:0] head, second;
@@ -775,17 +731,14 @@ module stream_skid_w34 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -794,21 +747,20 @@ endmodule
 // beats = 2
 // width = 64
 module bus_packet_out (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Records.
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire in_last,
-    input  wire in_found,
-    input  wire [23:0] in_index,
-    input  wire [31:0] in_distance2,
-    output wire m_axis_tvalid,
+    input  wire [23:0] in_number,  // The query's number.
+    input  wire in_last,  // Closes the query.
+    input  wire in_found,  // Low for a query without any neighbor.
+    input  wire [23:0] in_index,  // The neighbor's place in the point memory.
+    input  wire [31:0] in_distance2,  // Its squared distance.
+    output wire m_axis_tvalid,  // Beats of packets.
     input  wire m_axis_tready,
-    output wire [63:0] m_axis_tdata,
-    output wire m_axis_tlast,
-    output reg  sent,
-    output wire idle
+    output wire [63:0] m_axis_tdata,  // Its bytes.
+    output wire m_axis_tlast,  // Closes its packet.
+    output reg  sent,  // A packet was sent.
+    output wire idle  // Nothing is on its way.
 );
     reg held, place;
     reg [23:0] held_number;
@@ -822,7 +774,7 @@ module bus_packet_out (
     wire moves = held & beat_queue_in_ready;
     wire leaves = moves & place;
     wire takes_record = ~held | leaves;
-    wire [63:0] choice_1 = place ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
+    wire [63:0] beat_queue_in_data_choice = place ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
     wire takes = in_valid & takes_record;
     wire beat_queue_out_last = beat_queue_out_data[0];
 
@@ -832,8 +784,8 @@ module bus_packet_out (
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(held), .in_ready(beat_queue_in_ready), .in_data({choice_1, place}),
+        .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({beat_queue_in_data_choice, place}),
         .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
@@ -862,14 +814,9 @@ endmodule
 // Queue of two in registers.
 // width = 65
 module stream_skid_w65 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [64:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [64:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
 );
     reg second_valid;
     reg [64:0] head, second;
@@ -895,17 +842,14 @@ module stream_skid_w65 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -914,24 +858,23 @@ endmodule
 // beats = 3
 // width = 64
 module bus_packet_in (
-    input  wire clk,
-    input  wire rst,
-    input  wire opens,
-    input  wire last,
-    input  wire s_axis_tvalid,
+    input  wire clk, input wire rst,
+    input  wire opens,  // A run begins.
+    input  wire last,  // The packet that comes next is the run's last, where packets do not say so themselves.
+    input  wire s_axis_tvalid,  // Beats of packets.
     output wire s_axis_tready,
-    input  wire [63:0] s_axis_tdata,
-    input  wire s_axis_tlast,
-    output reg  out_valid,
+    input  wire [63:0] s_axis_tdata,  // Its bytes.
+    input  wire s_axis_tlast,  // Closes its packet.
+    output reg  out_valid,  // The records of good packets.
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire [5:0] out_k,
-    output wire [31:0] out_radius2,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z,
-    output reg  taken,
-    output reg  refused
+    output wire [23:0] out_number,  // Its number, which its results bear.
+    output wire [5:0] out_k,  // Neighbors wanted.
+    output wire [31:0] out_radius2,  // Squared radius within which neighbors count.
+    output wire [31:0] out_x,  // Where.
+    output wire [31:0] out_y,  // Where.
+    output wire [31:0] out_z,  // Where.
+    output reg  taken,  // A packet was taken.
+    output reg  refused  // A packet was refused.
 );
     reg [1:0] place;
     reg is_overlong, in_range, begun, is_open;
@@ -944,9 +887,9 @@ module bus_packet_in (
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
-    wire term_1 = takes & ~is_overlong;
-    wire term_2 = place == 2'd2;
-    wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
+    wire takes_and_not_is_overlong = takes & ~is_overlong;
+    wire place_is_2 = place == 2'd2;
+    wire whole = takes & (s_axis_tlast & (place_is_2 & ~is_overlong));
     wire good = whole & in_range;
     wire advance = ~out_valid | out_ready;
     wire beat_queue_out_good = beat_queue_out_data[66];
@@ -965,8 +908,8 @@ module bus_packet_in (
     assign out_z = held_z_0;
 
     stream_skid_w67 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_1), .in_ready(beat_queue_in_ready), .in_data({good, s_axis_tdata, place}),
+        .clk(clk), .rst(rst), .in_valid(takes_and_not_is_overlong), .in_ready(beat_queue_in_ready),
+        .in_data({good, s_axis_tdata, place}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
@@ -980,14 +923,16 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
+            if (takes_and_not_is_overlong) begin
+                place <= (s_axis_tlast | place_is_2) ? 2'd0 : (place + 2'd1);
+            end
             if (takes) begin
-                is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
+                is_overlong <= ~s_axis_tlast & (is_overlong | place_is_2);
                 begun <= ~s_axis_tlast;
             end
             is_open <= opens | (is_open & ~(good & last));
             taken <= good;
-            refused <= (takes & ((s_axis_tlast ^ term_2) & ~is_overlong)) | (whole & ~in_range);
+            refused <= (takes & ((s_axis_tlast ^ place_is_2) & ~is_overlong)) | (whole & ~in_range);
             if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
@@ -1013,14 +958,9 @@ endmodule
 // Queue of two in registers.
 // width = 67
 module stream_skid_w67 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [66:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [66:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [66:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [66:0] out_data
 );
     reg second_valid;
     reg [66:0] head, second;
@@ -1046,17 +986,14 @@ module stream_skid_w67 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1064,47 +1001,46 @@ endmodule
 // Registers of a core.
 // registers = 22
 module bus_registers (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output reg  s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output reg  s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire finished,
-    input  wire occupied,
-    output reg  busy,
-    output reg  start,
-    output reg  core_reset,
-    input  wire busy_error,
-    input  wire [1:0] burst_error,
-    input  wire packet_error,
-    input  wire memory_error,
-    input  wire packet_taken,
-    input  wire packet_sent,
-    input  wire event_node,
-    input  wire event_pop,
-    input  wire event_beat,
-    input  wire event_insert,
-    input  wire event_insert_wait,
-    input  wire event_thread_wait,
-    input  wire event_point_hit,
-    input  wire event_point_miss,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire finished,  // The run has ended.
+    input  wire occupied,  // No run may begin.
+    output reg  busy,  // A run is under way.
+    output reg  start,  // A run begins.
+    output reg  core_reset,  // The core is to be reset.
+    input  wire busy_error,  // Something was refused because a run is under way.
+    input  wire [1:0] burst_error,  // A burst was refused, or ended where it must not.
+    input  wire packet_error,  // A packet was refused.
+    input  wire memory_error,  // Memory answered with an error.
+    input  wire packet_taken,  // A packet was taken.
+    input  wire packet_sent,  // A packet was sent.
+    input  wire event_node,  // A node was visited.
+    input  wire event_pop,  // A path was popped.
+    input  wire event_beat,  // A priority queue was done with a beat of points.
+    input  wire event_insert,  // A neighbor was inserted.
+    input  wire event_insert_wait,  // A beat stayed for one more insertion.
+    input  wire event_thread_wait,  // A query waited for a free thread.
+    input  wire event_point_hit,  // The point cache had a leaf that was wanted.
+    input  wire event_point_miss,  // The point cache lacked a leaf that was wanted.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output reg  s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output reg  s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output reg  [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    output reg  irq,
-    output wire [31:0] points_base,
-    output wire [31:0] queries
+    output reg  [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    output reg  irq,  // Interrupt.
+    output wire [31:0] points_base,  // Address of the points.
+    output wire [31:0] queries  // Queries of the next run.
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:15];
@@ -1160,17 +1096,19 @@ module bus_registers (
 
     wire read_ready = ~(has_read_address | s_axil_rvalid);
     wire judges = has_address & (has_data & ~s_axil_bvalid);
-    wire term_1 = write_address[11:2] == 10'd1;
-    wire term_2 = write_address[11:2] == 10'd3;
-    wire term_3 = write_address[11:2] == 10'd32;
-    wire term_4 = write_address[11:2] == 10'd34;
-    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_1 | term_2 | term_3 | term_4);
-    wire idle_only = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
-    wire wants_start = term_1 & write_data[0];
+    wire write_address_11_2_is_1 = write_address[11:2] == 10'd1;
+    wire write_address_11_2_is_3 = write_address[11:2] == 10'd3;
+    wire write_address_11_2_is_32 = write_address[11:2] == 10'd32;
+    wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_32;
+    wire write_address_11_2_is_34 = write_address[11:2] == 10'd34;
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either | write_address_11_2_is_34);
+    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
+    wire idle_only = idle_only_either | write_address_11_2_is_34;
+    wire wants_start = write_address_11_2_is_1 & write_data[0];
     wire blocked = (idle_only & busy) | (wants_start & occupied);
-    wire senseless = (term_3 & |write_data[11:0]) | (wants_start & (queries_bits == 32'd0));
+    wire senseless = (write_address_11_2_is_32 & |write_data[11:0]) | (wants_start & (queries_bits == 32'd0));
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
-    wire commands = write_accepted & term_1;
+    wire commands = write_accepted & write_address_11_2_is_1;
     wire starts = commands & write_data[0];
     reg [4:0] found;
     always @(*) begin
@@ -1210,72 +1148,75 @@ module bus_registers (
         endcase
     end
     wire reads_counter = found[4] & (read_address[11:7] == 5'd0);
-    wire term_5 = read_address[11:2] == 10'd0;
-    wire term_6 = read_address[11:2] == 10'd2;
-    wire term_7 = read_address[11:2] == 10'd3;
-    wire term_8 = read_address[11:2] == 10'd32;
-    wire term_9 = read_address[11:2] == 10'd34;
-    wire term_10 = term_5 | term_6 | term_7 | term_8 | term_9 | reads_counter;
-    wire refused_read = has_read_address & ~((read_address[1:0] == 2'd0) & term_10);
+    wire read_address_11_2_is_0 = read_address[11:2] == 10'd0;
+    wire read_address_11_2_is_2 = read_address[11:2] == 10'd2;
+    wire read_address_11_2_is_3 = read_address[11:2] == 10'd3;
+    wire refused_read_either = read_address_11_2_is_0 | read_address_11_2_is_2 | read_address_11_2_is_3;
+    wire read_address_11_2_is_32 = read_address[11:2] == 10'd32;
+    wire read_address_11_2_is_34 = read_address[11:2] == 10'd34;
+    wire refused_read_either_2 = refused_read_either | read_address_11_2_is_32 | read_address_11_2_is_34;
+    wire refused_read_both = (read_address[1:0] == 2'd0) & (refused_read_either_2 | reads_counter);
+    wire refused_read = has_read_address & ~refused_read_both;
     wire asks = has_read_address & (reads_counter & ~refused_read);
     wire answers = has_read_address & (~asks | read_valid);
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
-    wire term_11 = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
+    wire error_either = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
-    wire [7:0] sum_12 = {7'd0, refused_write} + {7'd0, refused_read};
+    wire [7:0] part_0_sum = {7'd0, refused_write} + {7'd0, refused_read};
     wire visits_1 = looks & (visited == 4'd1);
-    wire [7:0] sum_13 = {7'd0, refused_busy} + {7'd0, busy_error};
+    wire [7:0] refused_busy_plus_busy_error = {7'd0, refused_busy} + {7'd0, busy_error};
     wire visits_2 = looks & (visited == 4'd2);
-    wire [7:0] sum_14 = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
+    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
     wire visits_5 = looks & (visited == 4'd5);
     wire visits_6 = looks & (visited == 4'd6);
-    wire term_15 = packet_taken & busy;
-    wire [6:0] joined_16 = {6'd0, term_15};
+    wire packet_taken_and_busy = packet_taken & busy;
+    wire [6:0] part_6_bits = {6'd0, packet_taken_and_busy};
     wire visits_7 = looks & (visited == 4'd7);
-    wire term_17 = packet_sent & busy;
-    wire [6:0] joined_18 = {6'd0, term_17};
+    wire packet_sent_and_busy = packet_sent & busy;
+    wire [6:0] part_7_bits = {6'd0, packet_sent_and_busy};
     wire visits_8 = looks & (visited == 4'd8);
-    wire term_19 = event_node & busy;
-    wire [6:0] joined_20 = {6'd0, term_19};
+    wire event_node_and_busy = event_node & busy;
+    wire [6:0] part_8_bits = {6'd0, event_node_and_busy};
     wire visits_9 = looks & (visited == 4'd9);
-    wire term_21 = event_pop & busy;
-    wire [6:0] joined_22 = {6'd0, term_21};
+    wire event_pop_and_busy = event_pop & busy;
+    wire [6:0] part_9_bits = {6'd0, event_pop_and_busy};
     wire visits_10 = looks & (visited == 4'd10);
-    wire term_23 = event_beat & busy;
-    wire [6:0] joined_24 = {6'd0, term_23};
+    wire event_beat_and_busy = event_beat & busy;
+    wire [6:0] part_10_bits = {6'd0, event_beat_and_busy};
     wire visits_11 = looks & (visited == 4'd11);
-    wire term_25 = event_insert & busy;
-    wire [6:0] joined_26 = {6'd0, term_25};
+    wire event_insert_and_busy = event_insert & busy;
+    wire [6:0] part_11_bits = {6'd0, event_insert_and_busy};
     wire visits_12 = looks & (visited == 4'd12);
-    wire term_27 = event_insert_wait & busy;
-    wire [6:0] joined_28 = {6'd0, term_27};
+    wire event_insert_wait_and_busy = event_insert_wait & busy;
+    wire [6:0] part_12_bits = {6'd0, event_insert_wait_and_busy};
     wire visits_13 = looks & (visited == 4'd13);
-    wire term_29 = event_thread_wait & busy;
-    wire [6:0] joined_30 = {6'd0, term_29};
+    wire event_thread_wait_and_busy = event_thread_wait & busy;
+    wire [6:0] part_13_bits = {6'd0, event_thread_wait_and_busy};
     wire visits_14 = looks & (visited == 4'd14);
-    wire term_31 = event_point_hit & busy;
-    wire [6:0] joined_32 = {6'd0, term_31};
+    wire event_point_hit_and_busy = event_point_hit & busy;
+    wire [6:0] part_14_bits = {6'd0, event_point_hit_and_busy};
     wire visits_15 = looks & (visited == 4'd15);
-    wire term_33 = event_point_miss & busy;
-    wire [6:0] joined_34 = {6'd0, term_33};
-    wire [7:0] choice_35 = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [7:0] choice_36 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [7:0] choice_37 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
-    wire [7:0] choice_38 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
-    wire choice_39 = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
-    wire choice_40 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire choice_41 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire choice_42 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire event_point_miss_and_busy = event_point_miss & busy;
+    wire [6:0] part_15_bits = {6'd0, event_point_miss_and_busy};
+    wire [7:0] part_choice = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
+    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
+    wire is_void_choice = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
+    wire is_void_choice_2 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire is_void_choice_4 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] term_43 = ({32{term_5}} & 32'h50430b01) | ({32{term_6}} & {29'd0, error, done, busy});
-    wire [31:0] term_44 = term_43 | ({32{term_7}} & {31'd0, interrupt_enable_bits});
-    wire [31:0] term_45 = term_44 | ({32{term_8}} & {points_base_bits, 12'd0}) | ({32{term_9}} & queries_bits);
+    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430b01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
+    wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] s_axil_rdata_either_3 = s_axil_rdata_either_2 | ({32{read_address_11_2_is_32}} & {points_base_bits, 12'd0});
+    wire [31:0] s_axil_rdata_either_4 = s_axil_rdata_either_3 | ({32{read_address_11_2_is_34}} & queries_bits);
 
     assign s_axil_awready = ~has_address;
     assign s_axil_wready = ~has_data;
@@ -1349,13 +1290,13 @@ module bus_registers (
             clear_errors <= commands & write_data[2];
             done <= ~starts & (done | (busy & finished));
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= term_11 | burst_error[1] | packet_error | memory_error | (error & ~clear_errors);
+            error <= error_either | burst_error[1] | packet_error | memory_error | (error & ~clear_errors);
             adds <= looks;
-            part_0 <= (visits_0 | clear_errors) ? sum_12 : (part_0 + sum_12);
+            part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
             void_0 <= clear_errors | (void_0 & ~visits_0);
-            part_1 <= (visits_1 | clear_errors) ? sum_13 : (part_1 + sum_13);
+            part_1 <= (visits_1 | clear_errors) ? refused_busy_plus_busy_error : (part_1 + refused_busy_plus_busy_error);
             void_1 <= clear_errors | (void_1 & ~visits_1);
-            part_2 <= (visits_2 | clear_errors) ? sum_14 : (part_2 + sum_14);
+            part_2 <= (visits_2 | clear_errors) ? part_2_sum : (part_2 + part_2_sum);
             void_2 <= clear_errors | (void_2 & ~visits_2);
             part_3 <= (visits_3 | clear_errors) ? {6'd0, packet_error} : (part_3 + {6'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
@@ -1363,32 +1304,32 @@ module bus_registers (
             void_4 <= clear_errors | (void_4 & ~visits_4);
             part_5 <= (visits_5 | start) ? {6'd0, busy} : (part_5 + {6'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? joined_16 : (part_6 + joined_16);
+            part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
             void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? joined_18 : (part_7 + joined_18);
+            part_7 <= (visits_7 | start) ? part_7_bits : (part_7 + part_7_bits);
             void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? joined_20 : (part_8 + joined_20);
+            part_8 <= (visits_8 | start) ? part_8_bits : (part_8 + part_8_bits);
             void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? joined_22 : (part_9 + joined_22);
+            part_9 <= (visits_9 | start) ? part_9_bits : (part_9 + part_9_bits);
             void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? joined_24 : (part_10 + joined_24);
+            part_10 <= (visits_10 | start) ? part_10_bits : (part_10 + part_10_bits);
             void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? joined_26 : (part_11 + joined_26);
+            part_11 <= (visits_11 | start) ? part_11_bits : (part_11 + part_11_bits);
             void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? joined_28 : (part_12 + joined_28);
+            part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? joined_30 : (part_13 + joined_30);
+            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
             void_13 <= start | (void_13 & ~visits_13);
-            part_14 <= (visits_14 | start) ? joined_32 : (part_14 + joined_32);
+            part_14 <= (visits_14 | start) ? part_14_bits : (part_14 + part_14_bits);
             void_14 <= start | (void_14 & ~visits_14);
-            part_15 <= (visits_15 | start) ? joined_34 : (part_15 + joined_34);
+            part_15 <= (visits_15 | start) ? part_15_bits : (part_15 + part_15_bits);
             void_15 <= start | (void_15 & ~visits_15);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
-            if (write_accepted & term_3) points_base_bits <= write_data[31:12];
-            if (write_accepted & term_4) queries_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_3) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & write_address_11_2_is_32) points_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_34) queries_bits <= write_data;
             if (adds) begin
                 visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
@@ -1404,11 +1345,11 @@ module bus_registers (
         end
         if (judges) write_is_okay <= write_accepted;
         if (read_ready) read_address <= s_axil_araddr;
-        part <= visited[3] ? (visited[2] ? choice_35 : choice_36) : visited[2] ? choice_37 : choice_38;
-        is_void <= visited[3] ? (visited[2] ? choice_39 : choice_40) : visited[2] ? choice_41 : choice_42;
+        part <= visited[3] ? (visited[2] ? part_choice : part_choice_2) : visited[2] ? part_choice_3 : part_choice_4;
+        is_void <= visited[3] ? (visited[2] ? is_void_choice : is_void_choice_2) : visited[2] ? is_void_choice_3 : is_void_choice_4;
         read_value <= saturated;
         if (answers) begin
-            s_axil_rdata <= asks ? read_value : (term_45 & {32{~refused_read}});
+            s_axil_rdata <= asks ? read_value : (s_axil_rdata_either_4 & {32{~refused_read}});
             read_is_error <= refused_read;
         end
     end
@@ -1418,160 +1359,78 @@ module bus_registers (
     end
 
 `ifdef RTL_ASSERT
-    wire [8:0] sum_46 = {1'd0, part_0} + {1'd0, sum_12};
-    wire [8:0] sum_47 = {1'd0, part_1} + {1'd0, sum_13};
-    wire [8:0] sum_48 = {1'd0, part_2} + {1'd0, sum_14};
-    wire [7:0] sum_49 = {1'd0, part_3} + {7'd0, packet_error};
-    wire [7:0] sum_50 = {1'd0, part_4} + {7'd0, memory_error};
-    wire [7:0] sum_51 = {1'd0, part_5} + {7'd0, busy};
-    wire [7:0] sum_52 = {1'd0, part_6} + {7'd0, term_15};
-    wire [7:0] sum_53 = {1'd0, part_7} + {7'd0, term_17};
-    wire [7:0] sum_54 = {1'd0, part_8} + {7'd0, term_19};
-    wire [7:0] sum_55 = {1'd0, part_9} + {7'd0, term_21};
-    wire [7:0] sum_56 = {1'd0, part_10} + {7'd0, term_23};
-    wire [7:0] sum_57 = {1'd0, part_11} + {7'd0, term_25};
-    wire [7:0] sum_58 = {1'd0, part_12} + {7'd0, term_27};
-    wire [7:0] sum_59 = {1'd0, part_13} + {7'd0, term_29};
-    wire [7:0] sum_60 = {1'd0, part_14} + {7'd0, term_31};
-    wire [7:0] sum_61 = {1'd0, part_15} + {7'd0, term_33};
+    wire [8:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
+    wire [8:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
+    wire [8:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
+    wire [7:0] part_3_plus_packet_error = {1'd0, part_3} + {7'd0, packet_error};
+    wire [7:0] part_4_plus_memory_error = {1'd0, part_4} + {7'd0, memory_error};
+    wire [7:0] part_5_plus_busy = {1'd0, part_5} + {7'd0, busy};
+    wire [7:0] check_sum_2 = {1'd0, part_6} + {7'd0, packet_taken_and_busy};
+    wire [7:0] check_sum_3 = {1'd0, part_7} + {7'd0, packet_sent_and_busy};
+    wire [7:0] check_sum_4 = {1'd0, part_8} + {7'd0, event_node_and_busy};
+    wire [7:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {7'd0, event_pop_and_busy};
+    wire [7:0] check_sum_5 = {1'd0, part_10} + {7'd0, event_beat_and_busy};
+    wire [7:0] check_sum_6 = {1'd0, part_11} + {7'd0, event_insert_and_busy};
+    wire [7:0] check_sum_7 = {1'd0, part_12} + {7'd0, event_insert_wait_and_busy};
+    wire [7:0] check_sum_8 = {1'd0, part_13} + {7'd0, event_thread_wait_and_busy};
+    wire [7:0] check_sum_9 = {1'd0, part_14} + {7'd0, event_point_hit_and_busy};
+    wire [7:0] check_sum_10 = {1'd0, part_15} + {7'd0, event_point_miss_and_busy};
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~sum_46[8])) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                part_0_has_room: assert (0);
+        part_0_has_room: assert (~part_0_plus_part_0_sum[8]);
+        part_1_has_room: assert (~check_sum[8]);
+        part_2_has_room: assert (~part_2_plus_part_2_sum[8]);
+        part_3_has_room: assert (~part_3_plus_packet_error[7]);
+        part_4_has_room: assert (~part_4_plus_memory_error[7]);
+        part_5_has_room: assert (~part_5_plus_busy[7]);
+        part_6_has_room: assert (~check_sum_2[7]);
+        part_7_has_room: assert (~check_sum_3[7]);
+        part_8_has_room: assert (~check_sum_4[7]);
+        part_9_has_room: assert (~part_9_plus_event_pop_and_busy[7]);
+        part_10_has_room: assert (~check_sum_5[7]);
+        part_11_has_room: assert (~check_sum_6[7]);
+        part_12_has_room: assert (~check_sum_7[7]);
+        part_13_has_room: assert (~check_sum_8[7]);
+        part_14_has_room: assert (~check_sum_9[7]);
+        part_15_has_room: assert (~check_sum_10[7]);
 `else
-                $display("assertion failed: part_0_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_47[8])) begin
-`ifdef FORMAL
-                part_1_has_room: assert (0);
-`else
-                $display("assertion failed: part_1_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_48[8])) begin
-`ifdef FORMAL
-                part_2_has_room: assert (0);
-`else
-                $display("assertion failed: part_2_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_49[7])) begin
-`ifdef FORMAL
-                part_3_has_room: assert (0);
-`else
-                $display("assertion failed: part_3_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_50[7])) begin
-`ifdef FORMAL
-                part_4_has_room: assert (0);
-`else
-                $display("assertion failed: part_4_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_51[7])) begin
-`ifdef FORMAL
-                part_5_has_room: assert (0);
-`else
-                $display("assertion failed: part_5_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_52[7])) begin
-`ifdef FORMAL
-                part_6_has_room: assert (0);
-`else
-                $display("assertion failed: part_6_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_53[7])) begin
-`ifdef FORMAL
-                part_7_has_room: assert (0);
-`else
-                $display("assertion failed: part_7_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_54[7])) begin
-`ifdef FORMAL
-                part_8_has_room: assert (0);
-`else
-                $display("assertion failed: part_8_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_55[7])) begin
-`ifdef FORMAL
-                part_9_has_room: assert (0);
-`else
-                $display("assertion failed: part_9_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_56[7])) begin
-`ifdef FORMAL
-                part_10_has_room: assert (0);
-`else
-                $display("assertion failed: part_10_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_57[7])) begin
-`ifdef FORMAL
-                part_11_has_room: assert (0);
-`else
-                $display("assertion failed: part_11_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_58[7])) begin
-`ifdef FORMAL
-                part_12_has_room: assert (0);
-`else
-                $display("assertion failed: part_12_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_59[7])) begin
-`ifdef FORMAL
-                part_13_has_room: assert (0);
-`else
-                $display("assertion failed: part_13_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_60[7])) begin
-`ifdef FORMAL
-                part_14_has_room: assert (0);
-`else
-                $display("assertion failed: part_14_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_61[7])) begin
-`ifdef FORMAL
-                part_15_has_room: assert (0);
-`else
-                $display("assertion failed: part_15_has_room in %m");
-                $stop;
-`endif
-            end
+        if (!(~part_0_plus_part_0_sum[8])) begin
+            $display("assertion failed: part_0_has_room in %m"); $stop;
         end
+        if (!(~check_sum[8])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
+        if (!(~part_2_plus_part_2_sum[8])) begin
+            $display("assertion failed: part_2_has_room in %m"); $stop;
+        end
+        if (!(~part_3_plus_packet_error[7])) begin
+            $display("assertion failed: part_3_has_room in %m"); $stop;
+        end
+        if (!(~part_4_plus_memory_error[7])) begin
+            $display("assertion failed: part_4_has_room in %m"); $stop;
+        end
+        if (!(~part_5_plus_busy[7])) begin
+            $display("assertion failed: part_5_has_room in %m"); $stop;
+        end
+        if (!(~check_sum_2[7])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
+        if (!(~check_sum_3[7])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
+        if (!(~check_sum_4[7])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
+        if (!(~part_9_plus_event_pop_and_busy[7])) begin
+            $display("assertion failed: part_9_has_room in %m"); $stop;
+        end
+        if (!(~check_sum_5[7])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
+        if (!(~check_sum_6[7])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
+        if (!(~check_sum_7[7])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
+        if (!(~check_sum_8[7])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
+        if (!(~check_sum_9[7])) begin $display("assertion failed: part_14_has_room in %m"); $stop; end
+        if (!(~check_sum_10[7])) begin $display("assertion failed: part_15_has_room in %m"); $stop; end
+`endif
     end
 
     wire _unused_by_checks = &{
-        1'b0, sum_46[7:0], sum_47[7:0], sum_48[7:0], sum_49[6:0], sum_50[6:0], sum_51[6:0], sum_52[6:0],
-        sum_53[6:0], sum_54[6:0], sum_55[6:0], sum_56[6:0], sum_57[6:0], sum_58[6:0], sum_59[6:0],
-        sum_60[6:0], sum_61[6:0]
+        1'b0, check_sum[7:0], check_sum_10[6:0], check_sum_2[6:0], check_sum_3[6:0], check_sum_4[6:0],
+        check_sum_5[6:0], check_sum_6[6:0], check_sum_7[6:0], check_sum_8[6:0], check_sum_9[6:0],
+        part_0_plus_part_0_sum[7:0], part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[6:0],
+        part_4_plus_memory_error[6:0], part_5_plus_busy[6:0], part_9_plus_event_pop_and_busy[6:0]
     };
 `endif
 endmodule

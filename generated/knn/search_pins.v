@@ -3,10 +3,8 @@
 
 // A unit between registers, behind few pins.
 module search_pins (
-    input  wire clk,
-    input  wire rst,
-    input  wire serial_in,
-    output wire serial_out
+    input  wire clk, input wire rst,
+    input  wire serial_in, output wire serial_out
 );
     reg drive_tree_valid, drive_tree_is_leaf;
     reg [13:0] drive_tree_address;
@@ -53,46 +51,45 @@ module search_pins (
     wire unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert, unit_event_insert_wait;
     wire unit_event_thread_wait, unit_event_point_hit, unit_event_point_miss;
 
-    wire term_1 = drive_result_ready ^ catch_event_point_miss ^ catch_event_point_hit;
-    wire term_2 = catch_event_insert_wait ^ catch_event_insert ^ catch_event_beat;
-    wire term_3 = catch_event_node ^ catch_result_distance2[0] ^ catch_result_distance2[1];
-    wire term_4 = catch_result_distance2[3] ^ catch_result_distance2[4] ^ catch_result_distance2[5];
-    wire term_5 = catch_result_distance2[7] ^ catch_result_distance2[8] ^ catch_result_distance2[9];
-    wire term_6 = catch_result_distance2[11] ^ catch_result_distance2[12] ^ catch_result_distance2[13];
-    wire term_7 = catch_result_distance2[15] ^ catch_result_distance2[16] ^ catch_result_distance2[17];
-    wire term_8 = catch_result_distance2[19] ^ catch_result_distance2[20] ^ catch_result_distance2[21];
-    wire term_9 = catch_result_distance2[23] ^ catch_result_distance2[24] ^ catch_result_distance2[25];
-    wire term_10 = catch_result_distance2[27] ^ catch_result_distance2[28] ^ catch_result_distance2[29];
-    wire term_11 = catch_result_distance2[31] ^ catch_result_index[0] ^ catch_result_index[1];
-    wire term_12 = catch_result_index[3] ^ catch_result_index[4] ^ catch_result_index[5];
-    wire term_13 = catch_result_index[7] ^ catch_result_index[8] ^ catch_result_index[9];
-    wire term_14 = catch_result_index[11] ^ catch_result_index[12] ^ catch_result_index[13];
-    wire term_15 = catch_result_index[15] ^ catch_result_index[16] ^ catch_result_index[17];
-    wire term_16 = catch_result_index[19] ^ catch_result_index[20] ^ catch_result_index[21];
-    wire term_17 = catch_result_index[23] ^ catch_result_found ^ catch_result_last;
-    wire term_18 = catch_result_number[1] ^ catch_result_number[2] ^ catch_result_number[3];
-    wire term_19 = catch_result_number[5] ^ catch_result_number[6] ^ catch_result_number[7];
-    wire term_20 = catch_result_number[9] ^ catch_result_number[10] ^ catch_result_number[11];
-    wire term_21 = catch_result_number[13] ^ catch_result_number[14] ^ catch_result_number[15];
-    wire term_22 = catch_result_number[17] ^ catch_result_number[18] ^ catch_result_number[19];
-    wire term_23 = catch_result_number[21] ^ catch_result_number[22] ^ catch_result_number[23];
-    wire term_24 = catch_beat_ready ^ catch_fetch_beats[0] ^ catch_fetch_beats[1];
-    wire term_25 = catch_fetch_address[0] ^ catch_fetch_address[1] ^ catch_fetch_address[2];
-    wire term_26 = catch_fetch_address[4] ^ catch_fetch_address[5] ^ catch_fetch_address[6];
-    wire term_27 = catch_fetch_address[8] ^ catch_fetch_address[9] ^ catch_fetch_address[10];
-    wire term_28 = catch_fetch_address[12] ^ catch_fetch_address[13] ^ catch_fetch_address[14];
-    wire term_29 = catch_fetch_address[16] ^ catch_fetch_address[17] ^ catch_fetch_address[18];
-    wire term_30 = catch_fetch_address[20] ^ catch_fetch_address[21] ^ catch_fetch_thread[0];
-    wire term_31 = catch_fetch_thread[2] ^ catch_fetch_thread[3] ^ catch_fetch_valid;
+    wire fold_0_unequal = drive_result_ready ^ catch_event_point_miss ^ catch_event_point_hit;
+    wire fold_0_unequal_2 = catch_event_insert_wait ^ catch_event_insert ^ catch_event_beat ^ catch_event_pop;
+    wire fold_0_unequal_3 = catch_event_node ^ catch_result_distance2[0] ^ catch_result_distance2[1];
+    wire fold_0_unequal_4 = catch_result_distance2[3] ^ catch_result_distance2[4] ^ catch_result_distance2[5];
+    wire fold_0_unequal_5 = catch_result_distance2[7] ^ catch_result_distance2[8] ^ catch_result_distance2[9];
+    wire fold_0_unequal_6 = catch_result_distance2[11] ^ catch_result_distance2[12] ^ catch_result_distance2[13];
+    wire fold_0_unequal_7 = catch_result_distance2[15] ^ catch_result_distance2[16] ^ catch_result_distance2[17];
+    wire fold_0_unequal_8 = catch_result_distance2[19] ^ catch_result_distance2[20] ^ catch_result_distance2[21];
+    wire fold_0_unequal_9 = catch_result_distance2[23] ^ catch_result_distance2[24] ^ catch_result_distance2[25];
+    wire fold_0_unequal_10 = catch_result_distance2[27] ^ catch_result_distance2[28] ^ catch_result_distance2[29];
+    wire fold_0_unequal_11 = catch_result_distance2[31] ^ catch_result_index[0] ^ catch_result_index[1];
+    wire fold_0_unequal_12 = catch_result_index[3] ^ catch_result_index[4] ^ catch_result_index[5];
+    wire fold_0_unequal_13 = catch_result_index[7] ^ catch_result_index[8] ^ catch_result_index[9];
+    wire fold_0_unequal_14 = catch_result_index[11] ^ catch_result_index[12] ^ catch_result_index[13];
+    wire fold_0_unequal_15 = catch_result_index[15] ^ catch_result_index[16] ^ catch_result_index[17];
+    wire fold_0_unequal_16 = catch_result_index[19] ^ catch_result_index[20] ^ catch_result_index[21];
+    wire fold_0_unequal_17 = catch_result_index[23] ^ catch_result_found ^ catch_result_last ^ catch_result_number[0];
+    wire fold_0_unequal_18 = catch_result_number[1] ^ catch_result_number[2] ^ catch_result_number[3];
+    wire fold_0_unequal_19 = catch_result_number[5] ^ catch_result_number[6] ^ catch_result_number[7];
+    wire fold_0_unequal_20 = catch_result_number[9] ^ catch_result_number[10] ^ catch_result_number[11];
+    wire fold_0_unequal_21 = catch_result_number[13] ^ catch_result_number[14] ^ catch_result_number[15];
+    wire fold_0_unequal_22 = catch_result_number[17] ^ catch_result_number[18] ^ catch_result_number[19];
+    wire fold_0_unequal_23 = catch_result_number[21] ^ catch_result_number[22] ^ catch_result_number[23];
+    wire fold_0_unequal_24 = catch_beat_ready ^ catch_fetch_beats[0] ^ catch_fetch_beats[1] ^ catch_fetch_beats[2];
+    wire fold_0_unequal_25 = catch_fetch_address[0] ^ catch_fetch_address[1] ^ catch_fetch_address[2];
+    wire fold_0_unequal_26 = catch_fetch_address[4] ^ catch_fetch_address[5] ^ catch_fetch_address[6];
+    wire fold_0_unequal_27 = catch_fetch_address[8] ^ catch_fetch_address[9] ^ catch_fetch_address[10];
+    wire fold_0_unequal_28 = catch_fetch_address[12] ^ catch_fetch_address[13] ^ catch_fetch_address[14];
+    wire fold_0_unequal_29 = catch_fetch_address[16] ^ catch_fetch_address[17] ^ catch_fetch_address[18];
+    wire fold_0_unequal_30 = catch_fetch_address[20] ^ catch_fetch_address[21] ^ catch_fetch_thread[0];
+    wire fold_0_unequal_31 = catch_fetch_thread[2] ^ catch_fetch_thread[3] ^ catch_fetch_valid;
 
     assign serial_out = fold_3;
 
     search_top unit (
-        .clk(clk), .rst(rst),
-        .tree_valid(drive_tree_valid), .tree_is_leaf(drive_tree_is_leaf), .tree_address(drive_tree_address),
-        .tree_split(drive_tree_split), .tree_dimension(drive_tree_dimension),
-        .tree_internal_leaf(drive_tree_internal_leaf), .tree_begin(drive_tree_begin),
-        .tree_beats(drive_tree_beats),
+        .clk(clk), .rst(rst), .tree_valid(drive_tree_valid), .tree_is_leaf(drive_tree_is_leaf),
+        .tree_address(drive_tree_address), .tree_split(drive_tree_split),
+        .tree_dimension(drive_tree_dimension), .tree_internal_leaf(drive_tree_internal_leaf),
+        .tree_begin(drive_tree_begin), .tree_beats(drive_tree_beats),
         .query_valid(drive_query_valid), .query_ready(unit_query_ready), .query_number(drive_query_number),
         .query_k(drive_query_k), .query_radius2(drive_query_radius2), .query_x(drive_query_x),
         .query_y(drive_query_y), .query_z(drive_query_z),
@@ -167,18 +164,21 @@ module search_pins (
         catch_event_point_hit <= unit_event_point_hit;
         catch_event_point_miss <= unit_event_point_miss;
         fold_0 <= {
-            term_1 ^ catch_event_thread_wait, term_2 ^ catch_event_pop, term_3 ^ catch_result_distance2[2],
-            term_4 ^ catch_result_distance2[6], term_5 ^ catch_result_distance2[10],
-            term_6 ^ catch_result_distance2[14], term_7 ^ catch_result_distance2[18],
-            term_8 ^ catch_result_distance2[22], term_9 ^ catch_result_distance2[26],
-            term_10 ^ catch_result_distance2[30], term_11 ^ catch_result_index[2],
-            term_12 ^ catch_result_index[6], term_13 ^ catch_result_index[10], term_14 ^ catch_result_index[14],
-            term_15 ^ catch_result_index[18], term_16 ^ catch_result_index[22], term_17 ^ catch_result_number[0],
-            term_18 ^ catch_result_number[4], term_19 ^ catch_result_number[8], term_20 ^ catch_result_number[12],
-            term_21 ^ catch_result_number[16], term_22 ^ catch_result_number[20], term_23 ^ catch_result_valid,
-            term_24 ^ catch_fetch_beats[2], term_25 ^ catch_fetch_address[3], term_26 ^ catch_fetch_address[7],
-            term_27 ^ catch_fetch_address[11], term_28 ^ catch_fetch_address[15],
-            term_29 ^ catch_fetch_address[19], term_30 ^ catch_fetch_thread[1], term_31 ^ catch_query_ready
+            fold_0_unequal ^ catch_event_thread_wait, fold_0_unequal_2,
+            fold_0_unequal_3 ^ catch_result_distance2[2], fold_0_unequal_4 ^ catch_result_distance2[6],
+            fold_0_unequal_5 ^ catch_result_distance2[10], fold_0_unequal_6 ^ catch_result_distance2[14],
+            fold_0_unequal_7 ^ catch_result_distance2[18], fold_0_unequal_8 ^ catch_result_distance2[22],
+            fold_0_unequal_9 ^ catch_result_distance2[26], fold_0_unequal_10 ^ catch_result_distance2[30],
+            fold_0_unequal_11 ^ catch_result_index[2], fold_0_unequal_12 ^ catch_result_index[6],
+            fold_0_unequal_13 ^ catch_result_index[10], fold_0_unequal_14 ^ catch_result_index[14],
+            fold_0_unequal_15 ^ catch_result_index[18], fold_0_unequal_16 ^ catch_result_index[22],
+            fold_0_unequal_17, fold_0_unequal_18 ^ catch_result_number[4],
+            fold_0_unequal_19 ^ catch_result_number[8], fold_0_unequal_20 ^ catch_result_number[12],
+            fold_0_unequal_21 ^ catch_result_number[16], fold_0_unequal_22 ^ catch_result_number[20],
+            fold_0_unequal_23 ^ catch_result_valid, fold_0_unequal_24, fold_0_unequal_25 ^ catch_fetch_address[3],
+            fold_0_unequal_26 ^ catch_fetch_address[7], fold_0_unequal_27 ^ catch_fetch_address[11],
+            fold_0_unequal_28 ^ catch_fetch_address[15], fold_0_unequal_29 ^ catch_fetch_address[19],
+            fold_0_unequal_30 ^ catch_fetch_thread[1], fold_0_unequal_31 ^ catch_query_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

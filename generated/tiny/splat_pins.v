@@ -3,10 +3,8 @@
 
 // A unit between registers, behind few pins.
 module splat_pins (
-    input  wire clk,
-    input  wire rst,
-    input  wire serial_in,
-    output wire serial_out
+    input  wire clk, input wire rst,
+    input  wire serial_in, output wire serial_out
 );
     reg drive_uniform_valid;
     reg [4:0] drive_uniform_address;
@@ -54,89 +52,73 @@ module splat_pins (
     wire unit_event_sample, unit_event_starved, unit_event_blocked, unit_event_accumulate, unit_event_hazard;
     wire unit_event_slot_wait;
 
-    wire term_1 = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
-    wire term_2 = catch_event_blocked ^ catch_event_starved ^ catch_event_sample;
-    wire term_3 = catch_fragment_attribute_2[1] ^ catch_fragment_attribute_2[2];
-    wire term_4 = term_3 ^ catch_fragment_attribute_2[3] ^ catch_fragment_attribute_2[4];
-    wire term_5 = catch_fragment_attribute_2[5] ^ catch_fragment_attribute_2[6];
-    wire term_6 = term_5 ^ catch_fragment_attribute_2[7] ^ catch_fragment_attribute_2[8];
-    wire term_7 = catch_fragment_attribute_2[9] ^ catch_fragment_attribute_2[10];
-    wire term_8 = term_7 ^ catch_fragment_attribute_2[11] ^ catch_fragment_attribute_2[12];
-    wire term_9 = catch_fragment_attribute_2[13] ^ catch_fragment_attribute_2[14];
-    wire term_10 = term_9 ^ catch_fragment_attribute_2[15] ^ catch_fragment_attribute_1[0];
-    wire term_11 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2];
-    wire term_12 = term_11 ^ catch_fragment_attribute_1[3] ^ catch_fragment_attribute_1[4];
-    wire term_13 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6];
-    wire term_14 = term_13 ^ catch_fragment_attribute_1[7] ^ catch_fragment_attribute_1[8];
-    wire term_15 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10];
-    wire term_16 = term_15 ^ catch_fragment_attribute_1[11] ^ catch_fragment_attribute_1[12];
-    wire term_17 = catch_fragment_attribute_1[13] ^ catch_fragment_attribute_1[14];
-    wire term_18 = term_17 ^ catch_fragment_attribute_1[15] ^ catch_fragment_attribute_0[0];
-    wire term_19 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2];
-    wire term_20 = term_19 ^ catch_fragment_attribute_0[3] ^ catch_fragment_attribute_0[4];
-    wire term_21 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6];
-    wire term_22 = term_21 ^ catch_fragment_attribute_0[7] ^ catch_fragment_attribute_0[8];
-    wire term_23 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10];
-    wire term_24 = term_23 ^ catch_fragment_attribute_0[11] ^ catch_fragment_attribute_0[12];
-    wire term_25 = catch_fragment_attribute_0[13] ^ catch_fragment_attribute_0[14];
-    wire term_26 = term_25 ^ catch_fragment_attribute_0[15] ^ catch_fragment_depth[0];
-    wire term_27 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
-    wire term_28 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
-    wire term_29 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
-    wire term_30 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
-    wire term_31 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
-    wire term_32 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
-    wire term_33 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
-    wire term_34 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_column[0];
-    wire term_35 = catch_fragment_column[2] ^ catch_fragment_column[3] ^ catch_fragment_column[4];
-    wire term_36 = catch_fragment_column[6] ^ catch_fragment_end ^ catch_fragment_valid;
-    wire term_37 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
-    wire term_38 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
-    wire term_39 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
-    wire term_40 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14];
-    wire term_41 = term_40 ^ catch_write_attribute_2[15] ^ catch_write_attribute_1[0];
-    wire term_42 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
-    wire term_43 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
-    wire term_44 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
-    wire term_45 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14];
-    wire term_46 = term_45 ^ catch_write_attribute_1[15] ^ catch_write_attribute_0[0];
-    wire term_47 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
-    wire term_48 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
-    wire term_49 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
-    wire term_50 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14];
-    wire term_51 = term_50 ^ catch_write_attribute_0[15] ^ catch_write_depth[0];
-    wire term_52 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
-    wire term_53 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
-    wire term_54 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
-    wire term_55 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
-    wire term_56 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
-    wire term_57 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
-    wire term_58 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
-    wire term_59 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
-    wire term_60 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
-    wire term_61 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
-    wire term_62 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
-    wire term_63 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
-    wire term_64 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
-    wire term_65 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
-    wire term_66 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
-    wire term_67 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
-    wire term_68 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
-    wire term_69 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
-    wire term_70 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
-    wire term_71 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
-    wire term_72 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
-    wire term_73 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1];
-    wire term_74 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5];
-    wire term_75 = catch_write_tile[7] ^ catch_write_valid ^ catch_data_ready;
-    wire term_76 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3];
-    wire term_77 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7];
+    wire fold_0_unequal = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
+    wire fold_0_unequal_2 = catch_event_blocked ^ catch_event_starved ^ catch_event_sample ^ catch_fragment_attribute_2[0];
+    wire fold_0_unequal_3 = catch_fragment_attribute_2[1] ^ catch_fragment_attribute_2[2] ^ catch_fragment_attribute_2[3];
+    wire fold_0_unequal_4 = catch_fragment_attribute_2[5] ^ catch_fragment_attribute_2[6] ^ catch_fragment_attribute_2[7];
+    wire fold_0_unequal_5 = catch_fragment_attribute_2[9] ^ catch_fragment_attribute_2[10] ^ catch_fragment_attribute_2[11];
+    wire fold_0_unequal_6 = catch_fragment_attribute_2[13] ^ catch_fragment_attribute_2[14] ^ catch_fragment_attribute_2[15];
+    wire fold_0_unequal_7 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2] ^ catch_fragment_attribute_1[3];
+    wire fold_0_unequal_8 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6] ^ catch_fragment_attribute_1[7];
+    wire fold_0_unequal_9 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10] ^ catch_fragment_attribute_1[11];
+    wire fold_0_unequal_10 = catch_fragment_attribute_1[13] ^ catch_fragment_attribute_1[14] ^ catch_fragment_attribute_1[15];
+    wire fold_0_unequal_11 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2] ^ catch_fragment_attribute_0[3];
+    wire fold_0_unequal_12 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6] ^ catch_fragment_attribute_0[7];
+    wire fold_0_unequal_13 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10] ^ catch_fragment_attribute_0[11];
+    wire fold_0_unequal_14 = catch_fragment_attribute_0[13] ^ catch_fragment_attribute_0[14] ^ catch_fragment_attribute_0[15];
+    wire fold_0_unequal_15 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
+    wire fold_0_unequal_16 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
+    wire fold_0_unequal_17 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
+    wire fold_0_unequal_18 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
+    wire fold_0_unequal_19 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
+    wire fold_0_unequal_20 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
+    wire fold_0_unequal_21 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
+    wire fold_0_unequal_22 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_column[0];
+    wire fold_0_unequal_23 = catch_fragment_column[2] ^ catch_fragment_column[3] ^ catch_fragment_column[4];
+    wire fold_0_unequal_24 = catch_fragment_column[6] ^ catch_fragment_end ^ catch_fragment_valid;
+    wire fold_0_unequal_25 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
+    wire fold_0_unequal_26 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
+    wire fold_0_unequal_27 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
+    wire fold_0_unequal_28 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14] ^ catch_write_attribute_2[15];
+    wire fold_0_unequal_29 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
+    wire fold_0_unequal_30 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
+    wire fold_0_unequal_31 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
+    wire fold_0_unequal_32 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14] ^ catch_write_attribute_1[15];
+    wire fold_0_unequal_33 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
+    wire fold_0_unequal_34 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
+    wire fold_0_unequal_35 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
+    wire fold_0_unequal_36 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14] ^ catch_write_attribute_0[15];
+    wire fold_0_unequal_37 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
+    wire fold_0_unequal_38 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
+    wire fold_0_unequal_39 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
+    wire fold_0_unequal_40 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
+    wire fold_0_unequal_41 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
+    wire fold_0_unequal_42 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
+    wire fold_0_unequal_43 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
+    wire fold_0_unequal_44 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
+    wire fold_0_unequal_45 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
+    wire fold_0_unequal_46 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
+    wire fold_0_unequal_47 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
+    wire fold_0_unequal_48 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
+    wire fold_0_unequal_49 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
+    wire fold_0_unequal_50 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
+    wire fold_0_unequal_51 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
+    wire fold_0_unequal_52 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
+    wire fold_0_unequal_53 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
+    wire fold_0_unequal_54 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
+    wire fold_0_unequal_55 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
+    wire fold_0_unequal_56 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
+    wire fold_0_unequal_57 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
+    wire fold_0_unequal_58 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1] ^ catch_write_tile[2];
+    wire fold_0_unequal_59 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5] ^ catch_write_tile[6];
+    wire fold_0_unequal_60 = catch_write_tile[7] ^ catch_write_valid ^ catch_data_ready ^ catch_read_tile[0];
+    wire fold_0_unequal_61 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3] ^ catch_read_tile[4];
+    wire fold_0_unequal_62 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7] ^ catch_read_valid;
 
     assign serial_out = fold_3;
 
     splat_top unit (
-        .clk(clk), .rst(rst),
-        .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
+        .clk(clk), .rst(rst), .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
         .uniform_data(drive_uniform_data),
         .splat_valid(drive_splat_valid), .splat_ready(unit_splat_ready), .splat_end(drive_splat_end),
         .splat_center_x(drive_splat_center_x), .splat_center_y(drive_splat_center_y),
@@ -217,26 +199,36 @@ module splat_pins (
         catch_event_hazard <= unit_event_hazard;
         catch_event_slot_wait <= unit_event_slot_wait;
         fold_0 <= {
-            term_1 ^ catch_event_accumulate, term_2 ^ catch_fragment_attribute_2[0], term_4, term_6, term_8,
-            term_10, term_12, term_14, term_16, term_18, term_20, term_22, term_24, term_26,
-            term_27 ^ catch_fragment_depth[4], term_28 ^ catch_fragment_depth[8],
-            term_29 ^ catch_fragment_depth[12], term_30 ^ catch_fragment_depth[16],
-            term_31 ^ catch_fragment_depth[20], term_32 ^ catch_fragment_row[0], term_33 ^ catch_fragment_row[4],
-            term_34 ^ catch_fragment_column[1], term_35 ^ catch_fragment_column[5],
-            term_36 ^ catch_write_attribute_2[0], term_37 ^ catch_write_attribute_2[4],
-            term_38 ^ catch_write_attribute_2[8], term_39 ^ catch_write_attribute_2[12], term_41,
-            term_42 ^ catch_write_attribute_1[4], term_43 ^ catch_write_attribute_1[8],
-            term_44 ^ catch_write_attribute_1[12], term_46, term_47 ^ catch_write_attribute_0[4],
-            term_48 ^ catch_write_attribute_0[8], term_49 ^ catch_write_attribute_0[12], term_51,
-            term_52 ^ catch_write_depth[4], term_53 ^ catch_write_depth[8], term_54 ^ catch_write_depth[12],
-            term_55 ^ catch_write_depth[16], term_56 ^ catch_write_depth[20], term_57 ^ catch_write_depth[24],
-            term_58 ^ catch_write_depth[28], term_59 ^ catch_write_depth[32], term_60 ^ catch_write_depth[36],
-            term_61 ^ catch_write_depth[40], term_62 ^ catch_write_depth[44], term_63 ^ catch_write_depth[48],
-            term_64 ^ catch_write_weight[0], term_65 ^ catch_write_weight[4], term_66 ^ catch_write_weight[8],
-            term_67 ^ catch_write_weight[12], term_68 ^ catch_write_weight[16], term_69 ^ catch_write_weight[20],
-            term_70 ^ catch_write_weight[24], term_71 ^ catch_write_pixel[0], term_72 ^ catch_write_pixel[4],
-            term_73 ^ catch_write_tile[2], term_74 ^ catch_write_tile[6], term_75 ^ catch_read_tile[0],
-            term_76 ^ catch_read_tile[4], term_77 ^ catch_read_valid, catch_splat_ready
+            fold_0_unequal ^ catch_event_accumulate, fold_0_unequal_2,
+            fold_0_unequal_3 ^ catch_fragment_attribute_2[4], fold_0_unequal_4 ^ catch_fragment_attribute_2[8],
+            fold_0_unequal_5 ^ catch_fragment_attribute_2[12], fold_0_unequal_6 ^ catch_fragment_attribute_1[0],
+            fold_0_unequal_7 ^ catch_fragment_attribute_1[4], fold_0_unequal_8 ^ catch_fragment_attribute_1[8],
+            fold_0_unequal_9 ^ catch_fragment_attribute_1[12], fold_0_unequal_10 ^ catch_fragment_attribute_0[0],
+            fold_0_unequal_11 ^ catch_fragment_attribute_0[4], fold_0_unequal_12 ^ catch_fragment_attribute_0[8],
+            fold_0_unequal_13 ^ catch_fragment_attribute_0[12], fold_0_unequal_14 ^ catch_fragment_depth[0],
+            fold_0_unequal_15 ^ catch_fragment_depth[4], fold_0_unequal_16 ^ catch_fragment_depth[8],
+            fold_0_unequal_17 ^ catch_fragment_depth[12], fold_0_unequal_18 ^ catch_fragment_depth[16],
+            fold_0_unequal_19 ^ catch_fragment_depth[20], fold_0_unequal_20 ^ catch_fragment_row[0],
+            fold_0_unequal_21 ^ catch_fragment_row[4], fold_0_unequal_22 ^ catch_fragment_column[1],
+            fold_0_unequal_23 ^ catch_fragment_column[5], fold_0_unequal_24 ^ catch_write_attribute_2[0],
+            fold_0_unequal_25 ^ catch_write_attribute_2[4], fold_0_unequal_26 ^ catch_write_attribute_2[8],
+            fold_0_unequal_27 ^ catch_write_attribute_2[12], fold_0_unequal_28 ^ catch_write_attribute_1[0],
+            fold_0_unequal_29 ^ catch_write_attribute_1[4], fold_0_unequal_30 ^ catch_write_attribute_1[8],
+            fold_0_unequal_31 ^ catch_write_attribute_1[12], fold_0_unequal_32 ^ catch_write_attribute_0[0],
+            fold_0_unequal_33 ^ catch_write_attribute_0[4], fold_0_unequal_34 ^ catch_write_attribute_0[8],
+            fold_0_unequal_35 ^ catch_write_attribute_0[12], fold_0_unequal_36 ^ catch_write_depth[0],
+            fold_0_unequal_37 ^ catch_write_depth[4], fold_0_unequal_38 ^ catch_write_depth[8],
+            fold_0_unequal_39 ^ catch_write_depth[12], fold_0_unequal_40 ^ catch_write_depth[16],
+            fold_0_unequal_41 ^ catch_write_depth[20], fold_0_unequal_42 ^ catch_write_depth[24],
+            fold_0_unequal_43 ^ catch_write_depth[28], fold_0_unequal_44 ^ catch_write_depth[32],
+            fold_0_unequal_45 ^ catch_write_depth[36], fold_0_unequal_46 ^ catch_write_depth[40],
+            fold_0_unequal_47 ^ catch_write_depth[44], fold_0_unequal_48 ^ catch_write_depth[48],
+            fold_0_unequal_49 ^ catch_write_weight[0], fold_0_unequal_50 ^ catch_write_weight[4],
+            fold_0_unequal_51 ^ catch_write_weight[8], fold_0_unequal_52 ^ catch_write_weight[12],
+            fold_0_unequal_53 ^ catch_write_weight[16], fold_0_unequal_54 ^ catch_write_weight[20],
+            fold_0_unequal_55 ^ catch_write_weight[24], fold_0_unequal_56 ^ catch_write_pixel[0],
+            fold_0_unequal_57 ^ catch_write_pixel[4], fold_0_unequal_58, fold_0_unequal_59, fold_0_unequal_60,
+            fold_0_unequal_61, fold_0_unequal_62, catch_splat_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

@@ -3,8 +3,7 @@
 
 // Surface-splat renderer: splats in, normalized fragments out.
 module splat_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [23:0] uniform_data,  // Its new value.
@@ -181,8 +180,7 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk), .rst(rst),
-        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -190,8 +188,7 @@ module splat_top (
         .in_attribute_2(splat_attribute_2),
         .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
         .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
-        .m22(uniform_m22), .m23(uniform_m23),
-        .near_plane(uniform_near_plane),
+        .m22(uniform_m22), .m23(uniform_m23), .near_plane(uniform_near_plane),
         .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
         .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
         .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
@@ -202,14 +199,14 @@ module splat_top (
     );
 
     splat_setup setup (
-        .clk(clk), .rst(rst),
-        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
+        .clk(clk), .rst(rst), .in_valid(transform_out_valid), .in_ready(setup_in_ready),
+        .in_end(transform_out_end), .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y), .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x), .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z), .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y), .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
@@ -229,12 +226,11 @@ module splat_top (
     );
 
     splat_splitter splitter (
-        .clk(clk), .rst(rst),
-        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift), .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
+        .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
+        .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift),
+        .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
         .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
         .in_attribute_2(setup_out_attribute_2), .in_left(setup_out_left), .in_right(setup_out_right),
         .in_top(setup_out_top), .in_bottom(setup_out_bottom),
@@ -251,10 +247,9 @@ module splat_top (
     );
 
     splat_reorder reorder (
-        .clk(clk), .rst(rst),
-        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .clk(clk), .rst(rst), .in_valid(splitter_out_valid), .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
         .in_shift(splitter_out_shift), .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
@@ -273,12 +268,11 @@ module splat_top (
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk), .rst(rst),
-        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_shift(reorder_out_shift),
-        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .clk(clk), .rst(rst), .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
+        .in_shift(reorder_out_shift), .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
         .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
         .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
@@ -320,17 +314,16 @@ module splat_top (
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift), .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2), .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift),
+        .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
+        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
+        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
+        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -343,13 +336,12 @@ module splat_top (
     );
 
     splat_weighting weighting (
-        .clk(clk), .rst(rst),
-        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
-        .in_attribute_2(rasterizer_out_attribute_2),
+        .clk(clk), .rst(rst), .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end), .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot), .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth), .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high), .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1), .in_attribute_2(rasterizer_out_attribute_2),
         .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
         .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
         .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
@@ -359,10 +351,9 @@ module splat_top (
     );
 
     splat_accumulator accumulator (
-        .clk(clk), .rst(rst),
-        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
-        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .clk(clk), .rst(rst), .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end), .in_last(weighting_out_last), .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot), .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
         .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
         .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
         .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
@@ -382,9 +373,8 @@ module splat_top (
     );
 
     splat_normalizer normalizer (
-        .clk(clk), .rst(rst),
-        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .clk(clk), .rst(rst), .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end), .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
         .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
         .in_attribute_0(tile_cache_pixel_attribute_0), .in_attribute_1(tile_cache_pixel_attribute_1),
         .in_attribute_2(tile_cache_pixel_attribute_2),
@@ -427,27 +417,26 @@ endmodule
 // latency = 30
 // initiation_interval = 1
 module splat_normalizer (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Pixels of a finished frame.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [7:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [7:0] in_tile,  // Tile index.
+    input  wire [5:0] in_pixel,  // Pixel of the tile.
+    input  wire [27:0] in_weight,  // Sum of weights.
+    input  wire [51:0] in_depth,  // Sum of weighted depths.
+    input  wire [15:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    input  wire [15:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    output wire out_valid,  // Fragments.
     input  wire out_ready,
-    output wire out_end,
-    output wire [6:0] out_column,
-    output wire [6:0] out_row,
-    output wire [23:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire [6:0] out_column,  // Column of the image.
+    output wire [6:0] out_row,  // Row of the image.
+    output wire [23:0] out_depth,  // Depth in the geometry format.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2  // Attributes.
 );
     (* ram_style = "distributed" *)
     reg [71:0] delay_20_from_0 [0:18];
@@ -457,7 +446,7 @@ module splat_normalizer (
     reg [71:0] delay_20_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [14:0] delay_30_from_0_out;
-    reg [23:0] mul_11_d1, mul_11_d2, mul_11_d3;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [29:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -467,16 +456,23 @@ module splat_normalizer (
     wire [23:0] convert_f16_f24_ftz_unit_y, convert_f16_f24_ftz_unit_copy2_y, convert_f16_f24_ftz_unit_copy3_y;
     wire [15:0] convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y;
 
+    wire end_d30 = delay_30_from_0_out[0];
+    wire [6:0] column_out_d30 = delay_30_from_0_out[7:1];
+    wire [6:0] row_out_d30 = delay_30_from_0_out[14:8];
+    wire [23:0] depth_float_d20 = delay_20_from_0_out[23:0];
+    wire [15:0] attribute_0_d20 = delay_20_from_0_out[39:24];
+    wire [15:0] attribute_1_d20 = delay_20_from_0_out[55:40];
+    wire [15:0] attribute_2_d20 = delay_20_from_0_out[71:56];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_out_data;
 
     stream_skid_w87 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[29]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(queue_in_ready),
         .in_data({
-            delay_30_from_0_out[0], delay_30_from_0_out[7:1], delay_30_from_0_out[14:8], mul_11_d3,
-            convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y
+            end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
+            convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -494,7 +490,7 @@ module splat_normalizer (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20),
         .y(mul_f24_ftz_unit_y)
     );
 
@@ -514,17 +510,15 @@ module splat_normalizer (
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[39:24]), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[55:40]),
-        .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[71:56]),
-        .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
@@ -554,9 +548,9 @@ module splat_normalizer (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            mul_11_d1 <= mul_f24_ftz_unit_y;
-            mul_11_d2 <= mul_11_d1;
-            mul_11_d3 <= mul_11_d2;
+            depth_out_d1 <= mul_f24_ftz_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
         end
     end
     always @(posedge clk) begin
@@ -578,9 +572,7 @@ endmodule
 // from = f24-ftz
 // to = f16
 module float_convert_s3_f24ftz_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [15:0] y
 );
     reg [9:0] distance_s1;
@@ -589,28 +581,29 @@ module float_convert_s3_f24ftz_f16 (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
-    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [9:0] a_field_plus_912 = {2'd0, a_field} + 10'd912;
+    wire exponent_s1_either = a_field_plus_912[9] | (a_field_plus_912 == 10'd0);
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_3 = a_fraction & {15{|a_field}};
-    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
-    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
-    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
-    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
-    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
+    wire [14:0] significand_s1_both = a_fraction & {15{|a_field}};
+    wire [12:0] significand_s2_choice = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
+    wire [12:0] significand_s2_choice_2 = distance_s1[2] ? (significand_s2_choice >> 4) : significand_s2_choice;
+    wire [12:0] significand_s2_choice_3 = distance_s1[1] ? (significand_s2_choice_2 >> 2) : significand_s2_choice_2;
+    wire [12:0] significand_s2_choice_4 = distance_s1[0] ? (significand_s2_choice_3 >> 1) : significand_s2_choice_3;
+    wire significand_s2_either = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |significand_s2_choice[3:0]);
+    wire significand_s2_either_2 = significand_s2_either | (distance_s1[1] & |significand_s2_choice_2[1:0]);
+    wire significand_s2_either_3 = significand_s2_either_2 | (distance_s1[0] & significand_s2_choice_3[0]);
+    wire [12:0] significand_s2_bits = {significand_s2_choice_4[12:1], significand_s2_choice_4[0] | significand_s2_either_3};
+    wire [14:0] rounded_bits = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [14:0] rounded = joined_11 + {14'd0, round_up};
-    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
-            significand_s1 <= {|a_field, term_3[14:4], |term_3[3:0]};
-            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
-            exponent_s1 <= term_2 ? 10'd1 : sum_1;
+            distance_s1 <= (10'd1 - a_field_plus_912) & {10{exponent_s1_either}};
+            significand_s1 <= {|a_field, significand_s1_both[14:4], |significand_s1_both[3:0]};
+            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : significand_s2_bits;
+            exponent_s1 <= exponent_s1_either ? 10'd1 : a_field_plus_912;
             exponent_s2 <= exponent_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
@@ -620,7 +613,7 @@ module float_convert_s3_f24ftz_f16 (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 16'h7e00 : joined_12;
+            y <= nan_s2 ? 16'h7e00 : {sign_s2, zero_s2 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -630,9 +623,7 @@ endmodule
 // from = f16
 // to = f24-ftz
 module float_convert_s3_f16_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [23:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -643,28 +634,31 @@ module float_convert_s3_f16_f24ftz (
     reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
-    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
-    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
+    wire [7:0] a_exponent_s1_minus_a_zeros_s1 = a_exponent_s1 - {4'd0, a_zeros_s1};
+    wire [9:0] exponent_s2_bits = {{2{a_exponent_s1_minus_a_zeros_s1[7]}}, a_exponent_s1_minus_a_zeros_s1};
+    wire y_both = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 23'd0 : term_11 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s2 | ((exponent_s2[9] | y_both) & ~infinite_s2)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
+            exponent_s2 <= exponent_s2_bits + 10'd112;
             significand_s2 <= {a_significand_s1 << a_zeros_s1, 7'd0};
             sign_s1 <= a[15];
             sign_s2 <= sign_s1;
@@ -674,7 +668,7 @@ module float_convert_s3_f16_f24ftz (
             infinite_s2 <= infinite_s1;
             zero_s1 <= ~(|a_field | |a_fraction);
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 24'h7fc000 : {sign_s2, choice_12};
+            y <= nan_s2 ? 24'h7fc000 : {sign_s2, y_choice_2};
         end
     end
 
@@ -688,9 +682,7 @@ endmodule
 // fraction = 40
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [51:0] a,
+    input  wire clk, input wire enable, input wire [51:0] a,
     output reg  [23:0] y
 );
     reg [51:0] magnitude_s1;
@@ -699,59 +691,61 @@ module float_from_fixed_s3_f24ftz_w52_f40_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[51] & ~a[50];
-    wire term_2 = term_1 & (~a[49] & ~a[48]);
-    wire term_3 = ~a[47] & ~a[46];
-    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
-    wire term_5 = ~a[43] & ~a[42];
-    wire term_6 = term_5 & (~a[41] & ~a[40]);
-    wire term_7 = ~a[39] & ~a[38];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
-    wire term_9 = ~a[35] & ~a[34];
-    wire term_10 = term_9 & (~a[33] & ~a[32]);
-    wire term_11 = ~a[31] & ~a[30];
-    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
-    wire term_13 = ~a[27] & ~a[26];
-    wire term_14 = term_13 & (~a[25] & ~a[24]);
-    wire term_15 = ~a[23] & ~a[22];
-    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
-    wire term_17 = ~a[19] & ~a[18];
-    wire term_18 = term_17 & (~a[17] & ~a[16]);
-    wire term_19 = ~a[15] & ~a[14];
-    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
-    wire term_21 = ~a[11] & ~a[10];
-    wire term_22 = term_21 & (~a[9] & ~a[8]);
-    wire term_23 = ~a[7] & ~a[6];
-    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
-    wire term_25 = ~a[3] & ~a[2];
-    wire term_26 = term_25 & (~a[1] & ~a[0]);
-    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
-    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
-    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
-    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
-    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
-    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
-    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
-    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
-    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
-    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
-    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_51_and_not_a_50 = ~a[51] & ~a[50];
+    wire zeros_s1_both = not_a_51_and_not_a_50 & (~a[49] & ~a[48]);
+    wire not_a_47_and_not_a_46 = ~a[47] & ~a[46];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_47_and_not_a_46 & (~a[45] & ~a[44]));
+    wire not_a_43_and_not_a_42 = ~a[43] & ~a[42];
+    wire zeros_s1_both_3 = not_a_43_and_not_a_42 & (~a[41] & ~a[40]);
+    wire not_a_39_and_not_a_38 = ~a[39] & ~a[38];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_39_and_not_a_38 & (~a[37] & ~a[36])));
+    wire not_a_35_and_not_a_34 = ~a[35] & ~a[34];
+    wire zeros_s1_both_5 = not_a_35_and_not_a_34 & (~a[33] & ~a[32]);
+    wire not_a_31_and_not_a_30 = ~a[31] & ~a[30];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_31_and_not_a_30 & (~a[29] & ~a[28]));
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both_7 = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_8 = zeros_s1_both_6 & (zeros_s1_both_7 & (not_a_23_and_not_a_22 & (~a[21] & ~a[20])));
+    wire zeros_s1_both_9 = zeros_s1_both_4 & zeros_s1_both_8;
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_10 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_11 = zeros_s1_both_10 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12]));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_12 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_13 = zeros_s1_both_11 & (zeros_s1_both_12 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4])));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_14 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_14 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_12 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [1:0] zeros_s1_choice_3 = zeros_s1_both_10 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [2:0] zeros_s1_choice_4 = zeros_s1_both_11 ? {zeros_s1_both_12, zeros_s1_choice_2} : {zeros_s1_both_10, zeros_s1_choice_3};
+    wire [3:0] zeros_s1_choice_5 = zeros_s1_both_13 ? {1'd0, zeros_s1_both_14, zeros_s1_choice} : {zeros_s1_both_11, zeros_s1_choice_4};
+    wire [1:0] zeros_s1_choice_6 = zeros_s1_both_7 ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [1:0] zeros_s1_choice_7 = zeros_s1_both_5 ? {not_a_31_and_not_a_30, not_a_31_and_not_a_30 ? ~a[29] : ~a[31]} : {not_a_35_and_not_a_34, not_a_35_and_not_a_34 ? ~a[33] : ~a[35]};
+    wire [2:0] zeros_s1_choice_8 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice_6} : {zeros_s1_both_5, zeros_s1_choice_7};
+    wire [1:0] zeros_s1_choice_9 = zeros_s1_both_3 ? {not_a_39_and_not_a_38, not_a_39_and_not_a_38 ? ~a[37] : ~a[39]} : {not_a_43_and_not_a_42, not_a_43_and_not_a_42 ? ~a[41] : ~a[43]};
+    wire [1:0] zeros_s1_choice_10 = zeros_s1_both ? {not_a_47_and_not_a_46, not_a_47_and_not_a_46 ? ~a[45] : ~a[47]} : {not_a_51_and_not_a_50, not_a_51_and_not_a_50 ? ~a[49] : ~a[51]};
+    wire [2:0] zeros_s1_choice_11 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_9} : {zeros_s1_both, zeros_s1_choice_10};
+    wire [3:0] zeros_s1_choice_12 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_8} : {zeros_s1_both_2, zeros_s1_choice_11};
+    wire [4:0] zeros_s1_choice_13 = zeros_s1_both_9 ? {zeros_s1_both_13, zeros_s1_choice_5} : {zeros_s1_both_4, zeros_s1_choice_12};
+    wire [51:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 23'd0 : choice_40;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_16, choice_37};
+            zeros_s1 <= {zeros_s1_both_9, zeros_s1_choice_13};
             exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
-            significand_s2 <= {shifted_38[51:35], |shifted_38[34:0]};
+            significand_s2 <= {significand_s2_shifted[51:35], |significand_s2_shifted[34:0]};
             zero_s1 <= a == 52'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_41};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -765,9 +759,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [27:0] a,
+    input  wire clk, input wire enable, input wire [27:0] a,
     output reg  [23:0] y
 );
     reg [27:0] magnitude_s1;
@@ -776,42 +768,42 @@ module float_from_fixed_s3_f24ftz_w28_f16_unsigned (
     reg [17:0] significand_s2;
     reg zero_s1, zero_s2;
 
-    wire term_1 = ~a[27] & ~a[26];
-    wire term_2 = term_1 & (~a[25] & ~a[24]);
-    wire term_3 = ~a[23] & ~a[22];
-    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
-    wire term_5 = ~a[19] & ~a[18];
-    wire term_6 = term_5 & (~a[17] & ~a[16]);
-    wire term_7 = ~a[15] & ~a[14];
-    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
-    wire term_9 = ~a[11] & ~a[10];
-    wire term_10 = term_9 & (~a[9] & ~a[8]);
-    wire term_11 = ~a[7] & ~a[6];
-    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
-    wire term_13 = ~a[3] & ~a[2];
-    wire term_14 = term_13 & (~a[1] & ~a[0]);
-    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
-    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
-    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
-    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
-    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
-    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
-    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
-    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire not_a_27_and_not_a_26 = ~a[27] & ~a[26];
+    wire zeros_s1_both = not_a_27_and_not_a_26 & (~a[25] & ~a[24]);
+    wire not_a_23_and_not_a_22 = ~a[23] & ~a[22];
+    wire zeros_s1_both_2 = zeros_s1_both & (not_a_23_and_not_a_22 & (~a[21] & ~a[20]));
+    wire not_a_19_and_not_a_18 = ~a[19] & ~a[18];
+    wire zeros_s1_both_3 = not_a_19_and_not_a_18 & (~a[17] & ~a[16]);
+    wire not_a_15_and_not_a_14 = ~a[15] & ~a[14];
+    wire zeros_s1_both_4 = zeros_s1_both_2 & (zeros_s1_both_3 & (not_a_15_and_not_a_14 & (~a[13] & ~a[12])));
+    wire not_a_11_and_not_a_10 = ~a[11] & ~a[10];
+    wire zeros_s1_both_5 = not_a_11_and_not_a_10 & (~a[9] & ~a[8]);
+    wire not_a_7_and_not_a_6 = ~a[7] & ~a[6];
+    wire zeros_s1_both_6 = zeros_s1_both_5 & (not_a_7_and_not_a_6 & (~a[5] & ~a[4]));
+    wire not_a_3_and_not_a_2 = ~a[3] & ~a[2];
+    wire zeros_s1_both_7 = not_a_3_and_not_a_2 & (~a[1] & ~a[0]);
+    wire [1:0] zeros_s1_choice = zeros_s1_both_7 ? 2'd0 : {not_a_3_and_not_a_2, not_a_3_and_not_a_2 ? ~a[1] : ~a[3]};
+    wire [1:0] zeros_s1_choice_2 = zeros_s1_both_5 ? {not_a_7_and_not_a_6, not_a_7_and_not_a_6 ? ~a[5] : ~a[7]} : {not_a_11_and_not_a_10, not_a_11_and_not_a_10 ? ~a[9] : ~a[11]};
+    wire [2:0] zeros_s1_choice_3 = zeros_s1_both_6 ? {zeros_s1_both_7, zeros_s1_choice} : {zeros_s1_both_5, zeros_s1_choice_2};
+    wire [1:0] zeros_s1_choice_4 = zeros_s1_both_3 ? {not_a_15_and_not_a_14, not_a_15_and_not_a_14 ? ~a[13] : ~a[15]} : {not_a_19_and_not_a_18, not_a_19_and_not_a_18 ? ~a[17] : ~a[19]};
+    wire [1:0] zeros_s1_choice_5 = zeros_s1_both ? {not_a_23_and_not_a_22, not_a_23_and_not_a_22 ? ~a[21] : ~a[23]} : {not_a_27_and_not_a_26, not_a_27_and_not_a_26 ? ~a[25] : ~a[27]};
+    wire [2:0] zeros_s1_choice_6 = zeros_s1_both_2 ? {zeros_s1_both_3, zeros_s1_choice_4} : {zeros_s1_both, zeros_s1_choice_5};
+    wire [3:0] zeros_s1_choice_7 = zeros_s1_both_4 ? {zeros_s1_both_6, zeros_s1_choice_3} : {zeros_s1_both_2, zeros_s1_choice_6};
+    wire [27:0] significand_s2_shifted = magnitude_s1 << zeros_s1;
+    wire y_both = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
     wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
     wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
-    wire [22:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 23'd0 : choice_23;
+    wire [22:0] y_choice = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
-            zeros_s1 <= {term_8, choice_20};
+            zeros_s1 <= {zeros_s1_both_4, zeros_s1_choice_7};
             exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
-            significand_s2 <= {shifted_21[27:11], |shifted_21[10:0]};
+            significand_s2 <= {significand_s2_shifted[27:11], |significand_s2_shifted[10:0]};
             zero_s1 <= a == 28'd0;
             zero_s2 <= zero_s1;
-            y <= {1'd0, choice_24};
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | y_both)) ? 23'd0 : y_choice};
         end
     end
 
@@ -821,14 +813,9 @@ endmodule
 // Queue of two in registers.
 // width = 87
 module stream_skid_w87 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [86:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [86:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [86:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [86:0] out_data
 );
     reg second_valid;
     reg [86:0] head, second;
@@ -854,17 +841,14 @@ module stream_skid_w87 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -873,8 +857,7 @@ endmodule
 // slots = 2
 // stages = 7
 module splat_accumulator (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Samples with their contributions.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -929,12 +912,19 @@ module splat_accumulator (
     reg [5:0] pixel_7;
     reg valid_8, inside_8, last_8, slot_8;
     reg [5:0] pixel_8;
-    reg head_valid, head_end, head_last, head_inside, head_slot;
-    reg [5:0] head_pixel;
-    reg [15:0] head_weight;
-    reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg head_last;  // Closes its copy.
+    reg head_inside;  // Lies inside the splat.
+    reg head_slot;  // Slot of the tile cache.
+    reg [5:0] head_pixel;  // Pixel of the tile.
+    reg [15:0] head_weight;  // Kernel weight.
+    reg [39:0] head_weighted_depth;  // Weighted depth.
+    reg [23:0] head_depth_low;  // Near end of the depth band.
+    reg [23:0] head_depth_high;  // Far end of the depth band.
+    reg [15:0] head_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] head_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg [7:0] collisions;
     reg arrived;
     wire [127:0] slot_0_read;
@@ -942,16 +932,27 @@ module splat_accumulator (
     wire [127:0] slot_1_read;
     reg [127:0] slot_1_pixel, stored;
     reg drained_slot;
-    reg [15:0] sample_1_weight;
-    reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low, sample_1_depth_high;
-    reg [15:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2, sample_2_weight;
-    reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low, sample_2_depth_high;
-    reg [15:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2, sample_3_weight;
-    reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low, sample_3_depth_high;
-    reg [15:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2;
+    reg [15:0] sample_1_weight;  // Kernel weight.
+    reg [39:0] sample_1_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_1_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_1_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_1_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_1_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_weight;  // Kernel weight.
+    reg [39:0] sample_2_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_2_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_2_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_2_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_2_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_weight;  // Kernel weight.
+    reg [39:0] sample_3_weighted_depth;  // Weighted depth.
+    reg [23:0] sample_3_depth_low;  // Near end of the depth band.
+    reg [23:0] sample_3_depth_high;  // Far end of the depth band.
+    reg [15:0] sample_3_attribute_0;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_1;  // Weighted continuous attributes, and cardinal ones as they are.
+    reg [15:0] sample_3_attribute_2;  // Weighted continuous attributes, and cardinal ones as they are.
     reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
     reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
     reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
@@ -971,32 +972,30 @@ module splat_accumulator (
     wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [127:0] joined_1 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [127:0] slot_1_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_2 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_3 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_2};
+    wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_4 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_5 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_4};
+    wire [15:0] result_bits_2 = {add_attribute_1_y[15], overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0]};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_6 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_7 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_6};
+    wire [15:0] result_bits_3 = {add_attribute_2_y[15], overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0]};
     wire [127:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        choice_3, choice_5, choice_7
+        late_pass_5 ? attribute_0_8 : result_bits, late_pass_5 ? attribute_1_8 : result_bits_2,
+        late_pass_5 ? attribute_2_8 : result_bits_3
     };
-    wire term_8 = head_valid & ~head_end;
-    wire may_issue_inside = term_8 & head_inside;
+    wire head_valid_and_not_head_end = head_valid & ~head_end;
+    wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_9 = drain_enable & ~drain_slot;
+    wire slot_0_pixel_enable_both = drain_enable & ~drain_slot;
     wire filling_1 = fill_valid & fill_slot;
-    wire term_10 = drain_enable & drain_slot;
+    wire drain_enable_and_drain_slot = drain_enable & drain_slot;
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_8 & ~(slot_wait | hazard);
-    wire term_11 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_11 | valid_7 | valid_8);
+    wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
+    wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
+    wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire places_out_end = places_out_data[9];
     wire places_out_last = places_out_data[8];
@@ -1010,48 +1009,44 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_0 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_1 = samples_out_data[31:16];
     wire [15:0] samples_out_attribute_2 = samples_out_data[15:0];
-    wire term_12 = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
-    wire [7:0] joined_13 = {
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire [7:0] collisions_bits = {
         inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
         inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
         inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
         inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
         inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
         inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), term_12
+        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [1:0] shifted_14 = slot_ready >> places_out_slot;
-    wire [1:0] shifted_15 = slot_ready >> head_slot;
+    wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
 
     assign in_ready = places_in_ready;
     assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
 
     memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_0_pixels (
-        .clk(clk),
-        .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? joined_1 : result),
-        .read(slot_ready[0] ? (issue_inside & ~head_slot) : term_9),
+        .clk(clk), .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & ~head_slot) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_1_pixels (
-        .clk(clk),
-        .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? joined_1 : result),
-        .read(slot_ready[1] ? (issue_inside & head_slot) : term_10),
+        .clk(clk), .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? slot_1_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & head_slot) : drain_enable_and_drain_slot),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
     stream_fifo_d64_w10_distributed places (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w152 samples (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(samples_in_ready),
         .in_data({
             in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
             in_attribute_2
@@ -1060,8 +1055,8 @@ module splat_accumulator (
     );
 
     splat_depth_test depth_test (
-        .clk(clk), .rst(rst), .weight(stored[127:100]),
-        .depth(stored[99:48]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .clk(clk), .rst(rst), .weight(stored[127:100]), .depth(stored[99:48]), .depth_low(sample_3_depth_low),
+        .depth_high(sample_3_depth_high),
         .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
@@ -1152,8 +1147,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_13 : (collisions << 1);
-        arrived <= head_takes ? shifted_14[0] : shifted_15[0];
+        collisions <= head_takes ? collisions_bits : (collisions << 1);
+        arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -1229,25 +1224,22 @@ module splat_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
-        if (slot_ready[0] | term_9) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | term_10) slot_1_pixel <= slot_1_read;
+        if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | drain_enable_and_drain_slot) slot_1_pixel <= slot_1_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_14[1], shifted_15[1]};
+    wire _unused = &{1'b0, arrived_shifted[1], arrived_shifted_2[1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(places_out_valid == samples_out_valid)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                queues_move_together: assert (0);
+        queues_move_together: assert (places_out_valid == samples_out_valid);
 `else
-                $display("assertion failed: queues_move_together in %m");
-                $stop;
-`endif
-            end
+        if (!(places_out_valid == samples_out_valid)) begin
+            $display("assertion failed: queues_move_together in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1256,10 +1248,7 @@ endmodule
 // stages = 5
 // format = f16
 module float_add_s5_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [7:0] distance_s1;
@@ -1276,82 +1265,86 @@ module float_add_s5_f16 (
 
     wire swap = a[14:0] < b[14:0];
     wire [4:0] b_field = b[14:10];
-    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
+    wire [7:0] distance_s1_bits = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
     wire [4:0] a_field = a[14:10];
-    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
+    wire [7:0] distance_s1_bits_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
     wire [9:0] b_fraction = b[9:0];
-    wire [10:0] joined_3 = {|b_field, b_fraction};
+    wire [10:0] large_s1_bits = {|b_field, b_fraction};
     wire [9:0] a_fraction = a[9:0];
-    wire [10:0] joined_4 = {|a_field, a_fraction};
-    wire term_5 = a[15] ^ b[15];
-    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
-    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
-    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
-    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
-    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
-    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
-    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
-    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
-    wire term_14 = &a_field & (a_fraction == 10'd0);
-    wire term_15 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] term_16 = sum_s2 | stop_s2;
-    wire term_17 = ~term_16[14] & ~term_16[13];
-    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
-    wire term_19 = ~term_16[10] & ~term_16[9];
-    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
-    wire term_21 = ~term_16[6] & ~term_16[5];
-    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
-    wire term_23 = ~term_16[2] & ~term_16[1];
-    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
-    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
-    wire [14:0] shifted_26 = value_s3 << zeros_s3;
-    wire term_27 = sum_s2 == 15'd0;
-    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire [10:0] large_s1_bits_2 = {|a_field, a_fraction};
+    wire a_15_xor_b_15 = a[15] ^ b[15];
+    wire [13:0] sum_s2_choice = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
+    wire [13:0] sum_s2_choice_2 = distance_s1[2] ? (sum_s2_choice >> 4) : sum_s2_choice;
+    wire [13:0] sum_s2_choice_3 = distance_s1[1] ? (sum_s2_choice_2 >> 2) : sum_s2_choice_2;
+    wire [13:0] sum_s2_choice_4 = distance_s1[0] ? (sum_s2_choice_3 >> 1) : sum_s2_choice_3;
+    wire sum_s2_either = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |sum_s2_choice[3:0]);
+    wire sum_s2_either_2 = sum_s2_either | (distance_s1[1] & |sum_s2_choice_2[1:0]) | (distance_s1[0] & sum_s2_choice_3[0]);
+    wire [13:0] sum_s2_choice_5 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {sum_s2_choice_4[13:1], sum_s2_choice_4[0] | sum_s2_either_2};
+    wire [15:0] sum_s2_sum = {1'd0, large_s1, 4'd1} + {{1'd0, sum_s2_choice_5} ^ {15{subtract_s1}}, subtract_s1};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] sum_s2_or_stop_s2 = sum_s2 | stop_s2;
+    wire zeros_s3_both = ~sum_s2_or_stop_s2[14] & ~sum_s2_or_stop_s2[13];
+    wire zeros_s3_both_2 = zeros_s3_both & (~sum_s2_or_stop_s2[12] & ~sum_s2_or_stop_s2[11]);
+    wire zeros_s3_both_3 = ~sum_s2_or_stop_s2[10] & ~sum_s2_or_stop_s2[9];
+    wire zeros_s3_both_4 = zeros_s3_both_3 & (~sum_s2_or_stop_s2[8] & ~sum_s2_or_stop_s2[7]);
+    wire zeros_s3_both_5 = zeros_s3_both_2 & zeros_s3_both_4;
+    wire zeros_s3_both_6 = ~sum_s2_or_stop_s2[6] & ~sum_s2_or_stop_s2[5];
+    wire zeros_s3_both_7 = zeros_s3_both_6 & (~sum_s2_or_stop_s2[4] & ~sum_s2_or_stop_s2[3]);
+    wire zeros_s3_both_8 = ~sum_s2_or_stop_s2[2] & ~sum_s2_or_stop_s2[1];
+    wire [1:0] zeros_s3_bits = {zeros_s3_both_8, zeros_s3_both_8 ? ~sum_s2_or_stop_s2[0] : ~sum_s2_or_stop_s2[2]};
+    wire [1:0] zeros_s3_bits_2 = {zeros_s3_both_6, zeros_s3_both_6 ? ~sum_s2_or_stop_s2[4] : ~sum_s2_or_stop_s2[6]};
+    wire [2:0] zeros_s3_bits_3 = {zeros_s3_both_7, zeros_s3_both_7 ? zeros_s3_bits : zeros_s3_bits_2};
+    wire [1:0] zeros_s3_bits_4 = {zeros_s3_both_3, zeros_s3_both_3 ? ~sum_s2_or_stop_s2[8] : ~sum_s2_or_stop_s2[10]};
+    wire [1:0] zeros_s3_bits_5 = {zeros_s3_both, zeros_s3_both ? ~sum_s2_or_stop_s2[12] : ~sum_s2_or_stop_s2[14]};
+    wire [2:0] zeros_s3_bits_6 = {zeros_s3_both_2, zeros_s3_both_2 ? zeros_s3_bits_4 : zeros_s3_bits_5};
+    wire [14:0] value_s3_shifted_by_zeros_s3 = value_s3 << zeros_s3;
+    wire sum_s2_is_0 = sum_s2 == 15'd0;
+    wire [14:0] rounded_bits = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
-    wire [14:0] rounded = joined_28 + {14'd0, round_up};
-    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
-            large_s1 <= swap ? joined_3 : joined_4;
-            small_s1 <= swap ? joined_4 : joined_3;
-            limit_s1 <= swap ? joined_1 : joined_2;
-            subtract_s1 <= term_5;
-            sum_s2 <= sum_13[15:1];
+            distance_s1 <= swap ? (distance_s1_bits - distance_s1_bits_2) : (distance_s1_bits_2 - distance_s1_bits);
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
+            limit_s1 <= swap ? distance_s1_bits : distance_s1_bits_2;
+            subtract_s1 <= a_15_xor_b_15;
+            sum_s2 <= sum_s2_sum[15:1];
             stop_s2 <= 15'h4000 >> limit_s1;
             sign_s1 <= swap ? b[15] : a[15];
             sign_s2 <= sign_s1;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_15_xor_b_15);
             nan_s2 <= nan_s1;
-            infinite_s1 <= term_14 | term_15;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             subtract_s2 <= subtract_s1;
             value_s3 <= sum_s2;
-            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
+            zeros_s3 <= {zeros_s3_both_5, zeros_s3_both_5 ? zeros_s3_bits_3 : zeros_s3_bits_6};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
-            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
-            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
+            significand_s4 <= {value_s3_shifted_by_zeros_s3[14:3], |value_s3_shifted_by_zeros_s3[2:0]};
+            sign_s3 <= sign_s2 & ~(sum_s2_is_0 & subtract_s2);
             sign_s4 <= sign_s3;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s3 <= term_27 & ~infinite_s2;
+            zero_s3 <= sum_s2_is_0 & ~infinite_s2;
             zero_s4 <= zero_s3;
-            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
+            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : y_choice};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[7:5], sum_13[0]};
+    wire _unused = &{1'b0, distance_s1[7:5], sum_s2_sum[0]};
 endmodule
 
 // Compares a pixel's normalized depth with a splat's depth band.
 module splat_depth_test (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire [27:0] weight,  // The pixel's sum of weights.
     input  wire [51:0] depth,  // The pixel's sum of weighted depths.
     input  wire [23:0] depth_low,  // Near end of the sample's depth band.
@@ -1365,8 +1358,8 @@ module splat_depth_test (
     reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
-    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
-    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+    wire [51:0] low_bound_either = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] high_bound_either = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1384,12 +1377,12 @@ module splat_depth_test (
         low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
         low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
         low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
-        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        low_bound <= low_bound_either + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
         high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
         high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
         high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
         high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
-        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+        high_bound <= high_bound_either + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
     end
 endmodule
 
@@ -1397,14 +1390,9 @@ endmodule
 // depth = 64
 // width = 152
 module stream_fifo_d64_w152 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [151:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [151:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [151:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [151:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -1419,8 +1407,7 @@ module stream_fifo_d64_w152 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(152), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1441,25 +1428,16 @@ module stream_fifo_d64_w152 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1469,14 +1447,9 @@ endmodule
 // width = 10
 // storage = distributed
 module stream_fifo_d64_w10_distributed (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [9:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [9:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [9:0] entries [0:63];
@@ -1513,25 +1486,16 @@ module stream_fifo_d64_w10_distributed (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1540,36 +1504,35 @@ endmodule
 // latency = 10
 // initiation_interval = 1
 module splat_weighting (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Samples.
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire in_last,  // Closes its copy.
+    input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
+    input  wire [15:0] in_weight,  // Kernel weight.
+    input  wire [23:0] in_depth,  // Depth.
+    input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
+    input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    output wire out_valid,  // Samples with their contributions.
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire out_last,  // Closes its copy.
+    output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
+    output wire out_slot,  // Slot of the tile cache.
+    output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
+    output wire [15:0] out_weight,  // Kernel weight.
+    output wire [39:0] out_weighted_depth,  // Weighted depth.
+    output wire [23:0] out_depth_low,  // Near end of the depth band.
+    output wire [23:0] out_depth_high,  // Far end of the depth band.
+    output wire [15:0] out_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
+    output wire [15:0] out_attribute_2  // Weighted continuous attributes, and cardinal ones as they are.
 );
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
@@ -1579,9 +1542,9 @@ module splat_weighting (
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [57:0] delay_10_from_0_out;
-    reg [15:0] weight_d8, weight_d9, weight_d10, reinterpret_14_d1, reinterpret_14_d2, reinterpret_14_d3;
-    reg [15:0] reinterpret_14_d4, reinterpret_16_d1, reinterpret_16_d2, reinterpret_16_d3, reinterpret_16_d4;
-    reg [15:0] reinterpret_18_d1, reinterpret_18_d2, reinterpret_18_d3, reinterpret_18_d4;
+    reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
+    reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
+    reg [15:0] attribute_2_d3, attribute_2_d4;
     reg [9:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -1589,6 +1552,16 @@ module splat_weighting (
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y;
+
+    wire end_d10 = delay_10_from_0_out[0];
+    wire last_d10 = delay_10_from_0_out[1];
+    wire inside_d10 = delay_10_from_0_out[2];
+    wire slot_d10 = delay_10_from_0_out[3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[9:4];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[33:10];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[57:34];
+    wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
+    wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
@@ -1598,12 +1571,10 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w162 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
         .in_data({
-            delay_10_from_0_out[0], delay_10_from_0_out[1], delay_10_from_0_out[2], delay_10_from_0_out[3],
-            delay_10_from_0_out[9:4], weight_d10, mul_u16_u24_unit_y, delay_10_from_0_out[33:10],
-            delay_10_from_0_out[57:34], mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y
+            end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
+            depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -1613,22 +1584,21 @@ module splat_weighting (
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
-        .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_14_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4),
         .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_16_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_18_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
@@ -1645,21 +1615,21 @@ module splat_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d8 <= weight_d7;
             weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
-            reinterpret_14_d1 <= in_attribute_0;
-            reinterpret_14_d2 <= reinterpret_14_d1;
-            reinterpret_14_d3 <= reinterpret_14_d2;
-            reinterpret_14_d4 <= reinterpret_14_d3;
-            reinterpret_16_d1 <= in_attribute_1;
-            reinterpret_16_d2 <= reinterpret_16_d1;
-            reinterpret_16_d3 <= reinterpret_16_d2;
-            reinterpret_16_d4 <= reinterpret_16_d3;
-            reinterpret_18_d1 <= in_attribute_2;
-            reinterpret_18_d2 <= reinterpret_18_d1;
-            reinterpret_18_d3 <= reinterpret_18_d2;
-            reinterpret_18_d4 <= reinterpret_18_d3;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_0_d2 <= attribute_0_d1;
+            attribute_0_d3 <= attribute_0_d2;
+            attribute_0_d4 <= attribute_0_d3;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_1_d2 <= attribute_1_d1;
+            attribute_1_d3 <= attribute_1_d2;
+            attribute_1_d4 <= attribute_1_d3;
+            attribute_2_d1 <= in_attribute_2;
+            attribute_2_d2 <= attribute_2_d1;
+            attribute_2_d3 <= attribute_2_d2;
+            attribute_2_d4 <= attribute_2_d3;
         end
     end
     always @(posedge clk) begin
@@ -1678,10 +1648,7 @@ endmodule
 // stages = 6
 // format = f16
 module float_mul_s6_f16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [15:0] b,
     output reg  [15:0] y
 );
     reg [3:0] a_zeros_s1;
@@ -1699,83 +1666,89 @@ module float_mul_s6_f16 (
     reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5;
 
     wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
+    wire a_exponent_s1_inverted = ~(|a_field);
     wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire a_zeros_s1_both = a_exponent_s1_inverted & ~a_fraction[9];
+    wire a_zeros_s1_both_2 = a_zeros_s1_both & (~a_fraction[8] & ~a_fraction[7]);
+    wire a_zeros_s1_both_3 = ~a_fraction[6] & ~a_fraction[5];
+    wire a_zeros_s1_both_4 = a_zeros_s1_both_2 & (a_zeros_s1_both_3 & (~a_fraction[4] & ~a_fraction[3]));
+    wire a_zeros_s1_both_5 = ~a_fraction[2] & ~a_fraction[1];
+    wire [2:0] a_zeros_s1_bits = {1'd0, a_zeros_s1_both_5, a_zeros_s1_both_5 ? ~a_fraction[0] : ~a_fraction[2]};
+    wire [1:0] a_zeros_s1_bits_2 = {a_zeros_s1_both_3, a_zeros_s1_both_3 ? ~a_fraction[4] : ~a_fraction[6]};
+    wire [1:0] a_zeros_s1_bits_3 = {a_zeros_s1_both, a_zeros_s1_both ? ~a_fraction[8] : a_exponent_s1_inverted};
+    wire [2:0] a_zeros_s1_bits_4 = {a_zeros_s1_both_2, a_zeros_s1_both_2 ? a_zeros_s1_bits_2 : a_zeros_s1_bits_3};
     wire [4:0] b_field = b[14:10];
-    wire term_9 = ~(|b_field);
+    wire b_exponent_s1_inverted = ~(|b_field);
     wire [9:0] b_fraction = b[9:0];
-    wire term_10 = term_9 & ~b_fraction[9];
-    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
-    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
-    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
-    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
-    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
-    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
-    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
-    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
-    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
-    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
-    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
-    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
-    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
-    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
-    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
-    wire term_26 = &a_field & (a_fraction == 10'd0);
-    wire term_27 = ~(|b_field | |b_fraction);
-    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
-    wire term_29 = ~(|a_field | |a_fraction);
-    wire term_30 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
+    wire b_zeros_s1_both = b_exponent_s1_inverted & ~b_fraction[9];
+    wire b_zeros_s1_both_2 = b_zeros_s1_both & (~b_fraction[8] & ~b_fraction[7]);
+    wire b_zeros_s1_both_3 = ~b_fraction[6] & ~b_fraction[5];
+    wire b_zeros_s1_both_4 = b_zeros_s1_both_2 & (b_zeros_s1_both_3 & (~b_fraction[4] & ~b_fraction[3]));
+    wire b_zeros_s1_both_5 = ~b_fraction[2] & ~b_fraction[1];
+    wire [2:0] b_zeros_s1_bits = {1'd0, b_zeros_s1_both_5, b_zeros_s1_both_5 ? ~b_fraction[0] : ~b_fraction[2]};
+    wire [1:0] b_zeros_s1_bits_2 = {b_zeros_s1_both_3, b_zeros_s1_both_3 ? ~b_fraction[4] : ~b_fraction[6]};
+    wire [1:0] b_zeros_s1_bits_3 = {b_zeros_s1_both, b_zeros_s1_both ? ~b_fraction[8] : b_exponent_s1_inverted};
+    wire [2:0] b_zeros_s1_bits_4 = {b_zeros_s1_both_2, b_zeros_s1_both_2 ? b_zeros_s1_bits_2 : b_zeros_s1_bits_3};
+    wire [7:0] exponent_s3_plus_product_s3_21 = exponent_s3 + {7'd0, product_s3[21]};
+    wire exponent_s4_either = exponent_s3_plus_product_s3_21[7] | (exponent_s3_plus_product_s3_21 == 8'd0);
+    wire [21:0] significand_s4_choice = product_s3[21] ? product_s3 : (product_s3 << 1);
+    wire [12:0] significand_s5_choice = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
+    wire [12:0] significand_s5_choice_2 = distance_s4[2] ? (significand_s5_choice >> 4) : significand_s5_choice;
+    wire [12:0] significand_s5_choice_3 = distance_s4[1] ? (significand_s5_choice_2 >> 2) : significand_s5_choice_2;
+    wire [12:0] significand_s5_choice_4 = distance_s4[0] ? (significand_s5_choice_3 >> 1) : significand_s5_choice_3;
+    wire significand_s5_either = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |significand_s5_choice[3:0]);
+    wire significand_s5_either_2 = significand_s5_either | (distance_s4[1] & |significand_s5_choice_2[1:0]);
+    wire significand_s5_either_3 = significand_s5_either_2 | (distance_s4[0] & significand_s5_choice_3[0]);
+    wire [12:0] significand_s5_bits = {significand_s5_choice_4[12:1], significand_s5_choice_4[0] | significand_s5_either_3};
+    wire nan_s1_both = &a_field & (a_fraction == 10'd0);
+    wire nan_s1_inverted = ~(|b_field | |b_fraction);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field | |a_fraction);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] rounded_bits = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
-    wire [14:0] rounded = joined_31 + {14'd0, round_up};
-    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_zeros_s1 <= {a_zeros_s1_both_4, a_zeros_s1_both_4 ? a_zeros_s1_bits : a_zeros_s1_bits_4};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | a_exponent_s1_inverted};
             a_significand_s1 <= {|a_field, a_fraction};
-            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
-            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
+            b_zeros_s1 <= {b_zeros_s1_both_4, b_zeros_s1_both_4 ? b_zeros_s1_bits : b_zeros_s1_bits_4};
+            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | b_exponent_s1_inverted};
             b_significand_s1 <= {|b_field, b_fraction};
             left_s2 <= a_significand_s1 << a_zeros_s1;
             right_s2 <= b_significand_s1 << b_zeros_s1;
             exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
             product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
             exponent_s3 <= exponent_s2 - 8'd15;
-            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
-            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
-            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
-            exponent_s4 <= term_18 ? 8'd1 : sum_17;
+            distance_s4 <= (8'd1 - exponent_s3_plus_product_s3_21) & {8{exponent_s4_either}};
+            significand_s4 <= {significand_s4_choice[21:10], |significand_s4_choice[9:0]};
+            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : significand_s5_bits;
+            exponent_s4 <= exponent_s4_either ? 8'd1 : exponent_s3_plus_product_s3_21;
             exponent_s5 <= exponent_s4;
             sign_s1 <= a[15] ^ b[15];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
             sign_s5 <= sign_s4;
-            nan_s1 <= term_28 | (term_29 & term_30);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
-            infinite_s1 <= term_26 | term_30;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s1 <= term_29 | term_27;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : y_choice};
         end
     end
 endmodule
@@ -1785,10 +1758,7 @@ endmodule
 // a = u16
 // b = u24
 module integer_mul_s3_u16_u24 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [15:0] a, input wire [23:0] b,
     output reg  [39:0] y
 );
     reg [15:0] a_s1;
@@ -1813,9 +1783,7 @@ endmodule
 // fraction = 16
 // integer = unsigned
 module float_from_fixed_s4_f16_w16_f16_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [15:0] magnitude_s1, magnitude_s2;
@@ -1825,41 +1793,47 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
     reg [5:0] exponent_s3;
     reg zero_s1, zero_s2, zero_s3;
 
-    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
-    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
-    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
-    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
-    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
-    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
-    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
-    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
-    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
-    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
-    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
-    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
-    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+    wire zeros_s2_both = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire zeros_s2_both_2 = zeros_s2_both & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire zeros_s2_both_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire zeros_s2_both_4 = zeros_s2_both_2 & (zeros_s2_both_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire zeros_s2_both_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire zeros_s2_both_6 = zeros_s2_both_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire zeros_s2_both_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire [1:0] zeros_s2_bits = {zeros_s2_both_7, zeros_s2_both_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]};
+    wire [1:0] zeros_s2_bits_2 = {zeros_s2_both_5, zeros_s2_both_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [2:0] zeros_s2_bits_3 = {zeros_s2_both_6, zeros_s2_both_6 ? zeros_s2_bits : zeros_s2_bits_2};
+    wire [1:0] zeros_s2_bits_4 = {zeros_s2_both_3, zeros_s2_both_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
+    wire [1:0] zeros_s2_bits_5 = {zeros_s2_both, zeros_s2_both ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [2:0] zeros_s2_bits_6 = {zeros_s2_both_2, zeros_s2_both_2 ? zeros_s2_bits_4 : zeros_s2_bits_5};
+    wire [5:0] exponent_s3_difference = 6'd14 - {2'd0, zeros_s2};
+    wire exponent_s3_either = exponent_s3_difference[5] | (exponent_s3_difference == 6'd0);
+    wire [15:0] significand_s3_shifted = magnitude_s2 << zeros_s2;
+    wire [12:0] round_up_choice = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] round_up_choice_2 = distance_s3[2] ? (round_up_choice >> 4) : round_up_choice;
+    wire [12:0] round_up_choice_3 = distance_s3[1] ? (round_up_choice_2 >> 2) : round_up_choice_2;
+    wire [12:0] round_up_choice_4 = distance_s3[0] ? (round_up_choice_3 >> 1) : round_up_choice_3;
+    wire round_up_either = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |round_up_choice[3:0]);
+    wire round_up_either_2 = round_up_either | (distance_s3[1] & |round_up_choice_2[1:0]) | (distance_s3[0] & round_up_choice_3[0]);
+    wire [12:0] round_up_bits = {round_up_choice_4[12:1], round_up_choice_4[0] | round_up_either_2};
+    wire [12:0] round_up_choice_5 = |distance_s3[5:4] ? {12'd0, |significand_s3} : round_up_bits;
+    wire [14:0] rounded_bits = {exponent_s3[4:0] & {5{round_up_choice_5[12]}}, round_up_choice_5[11:2]};
+    wire round_up = round_up_choice_5[1] & (round_up_choice_5[0] | round_up_choice_5[2]);
+    wire [14:0] rounded = rounded_bits + {14'd0, round_up};
+    wire [14:0] y_choice = zero_s3 ? 15'd0 : (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
 
     always @(posedge clk) begin
         if (enable) begin
             magnitude_s1 <= a;
             magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
-            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
-            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
-            exponent_s3 <= term_11 ? 6'd1 : difference_10;
+            zeros_s2 <= {zeros_s2_both_4, zeros_s2_both_4 ? zeros_s2_bits_3 : zeros_s2_bits_6};
+            distance_s3 <= (6'd1 - exponent_s3_difference) & {6{exponent_s3_either}};
+            significand_s3 <= {significand_s3_shifted[15:4], |significand_s3_shifted[3:0]};
+            exponent_s3 <= exponent_s3_either ? 6'd1 : exponent_s3_difference;
             zero_s1 <= a == 16'd0;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
+            y <= {1'd0, y_choice};
         end
     end
 endmodule
@@ -1867,14 +1841,9 @@ endmodule
 // Queue of two in registers.
 // width = 162
 module stream_skid_w162 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [161:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [161:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [161:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [161:0] out_data
 );
     reg second_valid;
     reg [161:0] head, second;
@@ -1900,25 +1869,21 @@ module stream_skid_w162 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies with their slots.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -1966,11 +1931,16 @@ module splat_rasterizer (
     reg busy, idle, is_end, is_last, slot;
     reg [7:0] tile;
     reg [2:0] column, row, left, right, bottom;
-    reg [27:0] center_x, center_y;
-    reg [17:0] ax, bx, ay, by;
-    reg [21:0] delta;
-    reg [17:0] mx, my;
-    reg [3:0] shift;
+    reg [27:0] center_x;  // Projected center (px), the origin of what follows.
+    reg [27:0] center_y;  // Projected center (px), the origin of what follows.
+    reg [17:0] ax;  // `A` in x.
+    reg [17:0] bx;  // `B` in x.
+    reg [17:0] ay;  // `A` in y.
+    reg [17:0] by;  // `B` in y.
+    reg [21:0] delta;  // The determinant of `A` and `B`.
+    reg [17:0] mx;  // `m` in x.
+    reg [17:0] my;  // `m` in y.
+    reg [3:0] shift;  // In fixed point, places by which offsets from the centre are shifted.
 
     wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
     wire evaluation_out_inside, evaluation_out_slot;
@@ -1981,11 +1951,11 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire term_2 = column == right;
-    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
-    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
-    wire term_5 = {choice_3, choice_4} == {right, bottom};
+    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire column_is_right = column == right;
+    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
+    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
+    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
     assign out_valid = evaluation_out_valid;
@@ -1998,11 +1968,10 @@ module splat_rasterizer (
     assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk), .rst(rst),
-        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
-        .in_slot(slot), .in_column({tile[3:0], column}), .in_row({tile[7:4], row}), .in_center_x(center_x),
-        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
-        .in_my(my), .in_shift(shift),
+        .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
+        .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[3:0], column}),
+        .in_row({tile[7:4], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_shift(shift),
         .filter_scale(filter_scale),
         .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
         .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
@@ -2010,8 +1979,7 @@ module splat_rasterizer (
     );
 
     stream_fifo_d64_w120 shared (
-        .clk(clk), .rst(rst),
-        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2}),
         .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
         .out_data(shared_out_data)
@@ -2027,7 +1995,7 @@ module splat_rasterizer (
         end else begin
             if (evaluation_in_ready) begin
                 busy <= load | (busy & ~is_last);
-                idle <= load ? term_1 : (~busy | (is_last | term_5));
+                idle <= load ? idle_either : (~busy | (is_last | idle_same));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -2054,9 +2022,9 @@ module splat_rasterizer (
             shift <= in_shift;
         end
         if (evaluation_in_ready) begin
-            is_last <= load ? term_1 : term_5;
-            column <= load ? in_left : choice_3;
-            row <= load ? in_top : choice_4;
+            is_last <= load ? idle_either : idle_same;
+            column <= load ? in_left : idle_choice;
+            row <= load ? in_top : idle_choice_2;
         end
     end
 
@@ -2067,14 +2035,9 @@ endmodule
 // depth = 64
 // width = 120
 module stream_fifo_d64_w120 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [119:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [119:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [119:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [119:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -2089,8 +2052,7 @@ module stream_fifo_d64_w120 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(120), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2111,25 +2073,16 @@ module stream_fifo_d64_w120 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2138,33 +2091,16 @@ endmodule
 // latency = 39
 // initiation_interval = 1
 module splat_evaluation (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_slot,
-    input  wire [6:0] in_column,
-    input  wire [6:0] in_row,
-    input  wire [27:0] in_center_x,
-    input  wire [27:0] in_center_y,
-    input  wire [17:0] in_ax,
-    input  wire [17:0] in_bx,
-    input  wire [17:0] in_ay,
-    input  wire [17:0] in_by,
-    input  wire [21:0] in_delta,
-    input  wire [17:0] in_mx,
-    input  wire [17:0] in_my,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
+    input  wire in_slot, input wire [6:0] in_column, input wire [6:0] in_row,
+    input  wire [27:0] in_center_x, input wire [27:0] in_center_y, input wire [17:0] in_ax,
+    input  wire [17:0] in_bx, input wire [17:0] in_ay, input wire [17:0] in_by,
+    input  wire [21:0] in_delta, input wire [17:0] in_mx, input wire [17:0] in_my,
     input  wire [3:0] in_shift,
     input  wire [15:0] filter_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
+    output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
+    output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -2196,82 +2132,91 @@ module splat_evaluation (
     reg [5:0] delay_39_from_0_pointer;
     reg [6:0] delay_39_from_0_out;
     reg end_d19;
-    reg [24:0] resize_33_d1;
-    reg bits_34_d1, bits_38_d1, bits_42_d1;
-    reg [17:0] resize_45_d1;
-    reg [24:0] resize_48_d1;
-    reg [17:0] resize_57_d1, reinterpret_58_d1, reinterpret_58_d2, reinterpret_60_d1, reinterpret_60_d2;
-    reg [35:0] sub_62_d1;
-    reg [17:0] reinterpret_63_d1, reinterpret_63_d2, reinterpret_65_d1, reinterpret_65_d2;
-    reg [35:0] sub_67_d1;
-    reg [17:0] reinterpret_69_d1, reinterpret_69_d2, reinterpret_71_d1, reinterpret_71_d2;
-    reg [35:0] mul_72_d1;
-    reg [36:0] shl_76_d1, shl_76_d2, shl_76_d3, shl_76_d4, add_77_d1, add_78_d1;
-    reg [35:0] bits_82_d1, bits_82_d2;
-    reg [34:0] bits_86_d1;
-    reg [35:0] resize_87_d1, resize_87_d2;
-    reg [34:0] bits_91_d1;
-    reg [35:0] resize_92_d1, resize_92_d2;
-    reg equal_96_d1, equal_98_d1, equal_100_d1, not_102_d1, and_103_d1, and_103_d2, and_103_d3;
-    reg [35:0] select_105_d1, select_105_d2, select_107_d1, select_107_d2, select_109_d1, select_109_d2;
-    reg equal_112_d1, equal_114_d1, equal_116_d1, and_119_d1, or_120_d1;
-    reg [32:0] bits_123_d1, bits_126_d1, bits_129_d1;
-    reg equal_132_d1, equal_134_d1, equal_136_d1, and_139_d1, or_140_d1;
-    reg [24:0] bits_143_d1, bits_146_d1, bits_149_d1;
-    reg equal_152_d1, equal_154_d1, equal_156_d1, and_159_d1, equal_172_d1, and_177_d1, or_180_d1;
-    reg [18:0] bits_183_d1, bits_186_d1, bits_189_d1;
-    reg equal_191_d1, not_197_d1;
-    reg [17:0] bits_202_d1, bits_205_d1, bits_208_d1;
-    reg [35:0] mul_209_d1;
-    reg [36:0] add_214_d1;
-    reg lt_216_d1, not_217_d1, not_217_d2, not_217_d3, not_217_d4;
-    reg [23:0] resize_221_d1, resize_221_d2, resize_221_d3, resize_221_d4, resize_221_d5, resize_221_d6;
-    reg [23:0] resize_221_d7, resize_221_d8, resize_221_d9, resize_221_d10, resize_221_d11, resize_221_d12;
-    reg [23:0] resize_221_d13, resize_221_d14, resize_221_d15, resize_221_d16, shl_223_d1;
-    reg not_228_d1;
-    reg [23:0] shl_230_d1;
-    reg [1:0] concat_236_d1;
-    reg [23:0] shl_238_d1;
-    reg [2:0] concat_244_d1;
-    reg [23:0] shl_246_d1;
-    reg [3:0] concat_252_d1;
-    reg [23:0] shl_254_d1;
-    reg [4:0] concat_260_d1;
-    reg [23:0] shl_262_d1;
-    reg [5:0] concat_268_d1;
-    reg [23:0] shl_270_d1;
-    reg [6:0] concat_276_d1;
-    reg [23:0] shl_278_d1;
-    reg [7:0] concat_284_d1;
-    reg [23:0] shl_286_d1;
-    reg [8:0] concat_292_d1;
-    reg [23:0] shl_294_d1;
-    reg [9:0] concat_300_d1;
-    reg [23:0] shl_302_d1;
-    reg [10:0] concat_308_d1;
-    reg [23:0] shl_310_d1;
-    reg [11:0] concat_316_d1;
-    reg [23:0] shl_318_d1;
-    reg [12:0] concat_324_d1;
-    reg [23:0] shl_326_d1;
-    reg [13:0] concat_332_d1;
-    reg [23:0] shl_334_d1;
-    reg [14:0] concat_340_d1;
-    reg [23:0] shl_342_d1;
-    reg [15:0] concat_346_d1, select_348_d1;
-    reg [11:0] bits_349_d1;
-    reg or_354_d1;
-    reg [17:0] reinterpret_356_d1;
-    reg [11:0] bits_359_d1;
-    reg or_362_d1;
-    reg [17:0] reinterpret_364_d1;
-    reg and_368_d1, and_368_d2;
-    reg [3:0] bits_369_d1;
-    reg and_371_d1, and_371_d2;
-    reg [17:0] bits_372_d1;
-    reg and_377_d1;
-    reg [15:0] bits_378_d1, min_381_d1;
-    reg and_383_d1;
+    reg [24:0] s1_chosen_d1;
+    reg shift_bits_d1, shift_bits_d1_copy2, shift_bits_d1_copy3;
+    reg [17:0] s1_chosen_d1_copy2;
+    reg [24:0] s1_chosen_d1_copy3;
+    reg [17:0] s1_chosen_d1_copy4, ay_d1, ay_d2, ax_d1, ax_d2;
+    reg [35:0] s1_d1;
+    reg [17:0] by_d1, by_d2, bx_d1, bx_d2;
+    reg [35:0] s2_d1;
+    reg [17:0] mx_d1, mx_d2, my_d1, my_d2;
+    reg [35:0] s1_chosen_times_my_d1;
+    reg [36:0] d_shifted_d1, d_shifted_d2, d_shifted_d3, d_shifted_d4, d_sum_d1, d_d1;
+    reg [35:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2;
+    reg [34:0] weight_out_chosen_bits_d1_copy2;
+    reg [35:0] weight_out_chosen_bits_d1_copy3, weight_out_chosen_bits_d2_copy2;
+    reg [34:0] weight_out_chosen_bits_d1_copy4;
+    reg [35:0] weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d2_copy3;
+    reg weight_out_same_d1, weight_out_same_d1_copy2, weight_out_same_d1_copy3, not_weight_out_both_d1;
+    reg weight_out_both_d1, weight_out_both_d2, weight_out_both_d3;
+    reg [35:0] weight_out_chosen_d1, weight_out_chosen_d2, weight_out_chosen_d1_copy2, weight_out_chosen_d2_copy2;
+    reg [35:0] weight_out_chosen_d1_copy3, weight_out_chosen_d2_copy3;
+    reg weight_out_chosen_bits_is_zero_d1, zero_is_weight_out_chosen_bits_d1;
+    reg zero_is_weight_out_chosen_bits_d1_copy2, weight_out_both_d1_copy2, weight_out_either_d1;
+    reg [32:0] weight_out_chosen_bits_d1_copy6, weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8;
+    reg weight_out_same_d1_copy4, weight_out_same_d1_copy5, weight_out_same_d1_copy6;
+    reg weight_out_both_d1_copy3, weight_out_either_d1_copy2;
+    reg [24:0] weight_out_chosen_bits_d1_copy9, weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11;
+    reg weight_out_same_d1_copy7, weight_out_same_d1_copy8, weight_out_same_d1_copy9;
+    reg weight_out_both_d1_copy4, weight_out_same_d1_copy10, weight_out_both_d1_copy5;
+    reg weight_out_either_d1_copy3;
+    reg [18:0] weight_out_chosen_bits_d1_copy12, weight_out_chosen_bits_d1_copy13, weight_out_chosen_bits_d1_copy14;
+    reg weight_out_same_d1_copy11, not_weight_out_both_d1_copy2;
+    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy15, weight_out_chosen_bits_d1_copy16;
+    reg [35:0] denominator_d1;
+    reg [36:0] weight_out_sum_d1;
+    reg weight_out_in_order_d1, not_weight_out_either_d1, not_weight_out_either_d2, not_weight_out_either_d3;
+    reg not_weight_out_either_d4;
+    reg [23:0] denominator_bits_d1, denominator_bits_d2, denominator_bits_d3, denominator_bits_d4;
+    reg [23:0] denominator_bits_d5, denominator_bits_d6, denominator_bits_d7, denominator_bits_d8;
+    reg [23:0] denominator_bits_d9, denominator_bits_d10, denominator_bits_d11, denominator_bits_d12;
+    reg [23:0] denominator_bits_d13, denominator_bits_d14, denominator_bits_d15, denominator_bits_d16;
+    reg [23:0] weight_out_shifted_d1;
+    reg not_weight_out_difference_sign_d1;
+    reg [23:0] weight_out_shifted_d1_copy2;
+    reg [1:0] weight_out_joined_d1;
+    reg [23:0] weight_out_shifted_d1_copy3;
+    reg [2:0] weight_out_joined_d1_copy2;
+    reg [23:0] weight_out_shifted_d1_copy4;
+    reg [3:0] weight_out_joined_d1_copy3;
+    reg [23:0] weight_out_shifted_d1_copy5;
+    reg [4:0] weight_out_joined_d1_copy4;
+    reg [23:0] weight_out_shifted_d1_copy6;
+    reg [5:0] weight_out_joined_d1_copy5;
+    reg [23:0] weight_out_shifted_d1_copy7;
+    reg [6:0] weight_out_joined_d1_copy6;
+    reg [23:0] weight_out_shifted_d1_copy8;
+    reg [7:0] weight_out_joined_d1_copy7;
+    reg [23:0] weight_out_shifted_d1_copy9;
+    reg [8:0] weight_out_joined_d1_copy8;
+    reg [23:0] weight_out_shifted_d1_copy10;
+    reg [9:0] weight_out_joined_d1_copy9;
+    reg [23:0] weight_out_shifted_d1_copy11;
+    reg [10:0] weight_out_joined_d1_copy10;
+    reg [23:0] weight_out_shifted_d1_copy12;
+    reg [11:0] weight_out_joined_d1_copy11;
+    reg [23:0] weight_out_shifted_d1_copy13;
+    reg [12:0] weight_out_joined_d1_copy12;
+    reg [23:0] weight_out_shifted_d1_copy14;
+    reg [13:0] weight_out_joined_d1_copy13;
+    reg [23:0] weight_out_shifted_d1_copy15;
+    reg [14:0] weight_out_joined_d1_copy14;
+    reg [23:0] weight_out_shifted_d1_copy16;
+    reg [15:0] weight_out_joined_d1_copy15, weight_out_chosen_d1_copy4;
+    reg [11:0] x_bits_d1;
+    reg weight_out_either_d1_copy4;
+    reg [17:0] x_bits_d1_copy2;
+    reg [11:0] y_bits_d1;
+    reg weight_out_either_d1_copy5;
+    reg [17:0] y_bits_d1_copy2;
+    reg weight_out_both_d1_copy6, weight_out_both_d2_copy2;
+    reg [3:0] weight_out_sum_bits_d1;
+    reg weight_out_both_d1_copy7, weight_out_both_d2_copy3;
+    reg [17:0] weight_out_sum_bits_d1_copy2;
+    reg weight_out_both_d1_copy8;
+    reg [15:0] weight_out_product_bits_d1, weight_out_lesser_d1;
+    reg inside_out_d1;
     reg [38:0] in_flight;
 
     wire queue_in_ready, queue_out_valid;
@@ -2282,228 +2227,230 @@ module splat_evaluation (
     wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
 
-    wire [28:0] sub_23 = ({21'd0, in_column, 1'd1} << 13) - {in_center_x[27], in_center_x};
-    wire [28:0] select_32 = in_shift[3] ? {{8{sub_23[28]}}, sub_23[28:8]} : sub_23;
-    wire [24:0] select_36 = bits_34_d1 ? {{4{resize_33_d1[24]}}, resize_33_d1[24:4]} : resize_33_d1;
-    wire [20:0] select_40 = bits_38_d1 ? {{2{select_36[20]}}, select_36[20:2]} : select_36[20:0];
-    wire [18:0] select_44 = bits_42_d1 ? {select_40[18], select_40[18:1]} : select_40[18:0];
-    wire [28:0] sub_29 = ({21'd0, in_row, 1'd1} << 13) - {in_center_y[27], in_center_y};
-    wire [28:0] select_47 = in_shift[3] ? {{8{sub_29[28]}}, sub_29[28:8]} : sub_29;
-    wire [24:0] select_50 = bits_34_d1 ? {{4{resize_48_d1[24]}}, resize_48_d1[24:4]} : resize_48_d1;
-    wire [20:0] select_53 = bits_38_d1 ? {{2{select_50[20]}}, select_50[20:2]} : select_50[20:0];
-    wire [18:0] select_56 = bits_42_d1 ? {select_53[18], select_53[18:1]} : select_53[18:0];
-    wire [35:0] sub_62 = mul_s18_s18_unit_y - mul_s18_s18_unit_copy2_y;
-    wire [35:0] sub_67 = mul_s18_s18_unit_copy3_y - mul_s18_s18_unit_copy4_y;
-    wire [36:0] add_77 = {mul_s18_s18_unit_copy5_y[35], mul_s18_s18_unit_copy5_y} + shl_76_d4;
-    wire [36:0] add_78 = {mul_72_d1[35], mul_72_d1} + add_77_d1;
-    wire [36:0] not_80 = ~add_78_d1;
-    wire [36:0] select_81 = add_78_d1[36] ? not_80 : add_78_d1;
-    wire [35:0] not_84 = ~sub_62_d1;
-    wire [35:0] select_85 = sub_62_d1[35] ? not_84 : sub_62_d1;
-    wire [35:0] not_89 = ~sub_67_d1;
-    wire [35:0] select_90 = sub_67_d1[35] ? not_89 : sub_67_d1;
-    wire equal_96 = bits_82_d1[35:4] == 32'd0;
-    wire equal_98 = 32'd0 == {1'd0, bits_86_d1[34:4]};
-    wire equal_100 = 32'd0 == {1'd0, bits_91_d1[34:4]};
-    wire and_101 = equal_98_d1 & equal_100_d1;
-    wire not_102 = ~and_101;
-    wire and_103 = equal_96_d1 & not_102_d1;
-    wire [35:0] select_105 = equal_96_d1 ? (bits_82_d2 << 32) : bits_82_d2;
-    wire [35:0] select_107 = equal_96_d1 ? (resize_87_d2 << 32) : resize_87_d2;
-    wire [35:0] select_109 = equal_96_d1 ? (resize_92_d2 << 32) : resize_92_d2;
-    wire equal_112 = select_105_d1[35:20] == 16'd0;
-    wire equal_114 = 16'd0 == select_107_d1[35:20];
-    wire equal_116 = 16'd0 == select_109_d1[35:20];
-    wire and_117 = equal_114_d1 & equal_116_d1;
-    wire not_118 = ~and_117;
-    wire and_119 = equal_112_d1 & not_118;
-    wire or_120 = and_103_d3 | and_119_d1;
-    wire [35:0] select_122 = equal_112_d1 ? (select_105_d2 << 16) : select_105_d2;
-    wire [35:0] select_125 = equal_112_d1 ? (select_107_d2 << 16) : select_107_d2;
-    wire [35:0] select_128 = equal_112_d1 ? (select_109_d2 << 16) : select_109_d2;
-    wire equal_132 = select_122[35:28] == 8'd0;
-    wire equal_134 = 8'd0 == select_125[35:28];
-    wire equal_136 = 8'd0 == select_128[35:28];
-    wire and_137 = equal_134_d1 & equal_136_d1;
-    wire not_138 = ~and_137;
-    wire and_139 = equal_132_d1 & not_138;
-    wire or_140 = or_120_d1 | and_139_d1;
-    wire [32:0] select_142 = equal_132_d1 ? (bits_123_d1 << 8) : bits_123_d1;
-    wire [32:0] select_145 = equal_132_d1 ? (bits_126_d1 << 8) : bits_126_d1;
-    wire [32:0] select_148 = equal_132_d1 ? (bits_129_d1 << 8) : bits_129_d1;
-    wire equal_152 = select_142[32:29] == 4'd0;
-    wire equal_154 = 4'd0 == select_145[32:29];
-    wire equal_156 = 4'd0 == select_148[32:29];
-    wire and_157 = equal_154_d1 & equal_156_d1;
-    wire not_158 = ~and_157;
-    wire and_159 = equal_152_d1 & not_158;
-    wire [24:0] select_162 = equal_152_d1 ? (bits_143_d1 << 4) : bits_143_d1;
-    wire equal_172 = select_162[24:23] == 2'd0;
-    wire [24:0] select_165 = equal_152_d1 ? (bits_146_d1 << 4) : bits_146_d1;
-    wire equal_174 = 2'd0 == select_165[24:23];
-    wire [24:0] select_168 = equal_152_d1 ? (bits_149_d1 << 4) : bits_149_d1;
-    wire equal_176 = 2'd0 == select_168[24:23];
-    wire and_177 = equal_174 & equal_176;
-    wire or_160 = or_140_d1 | and_159_d1;
-    wire not_178 = ~and_177_d1;
-    wire and_179 = equal_172_d1 & not_178;
-    wire or_180 = or_160 | and_179;
-    wire [20:0] select_182 = equal_172 ? (select_162[24:4] << 2) : select_162[24:4];
-    wire [20:0] select_185 = equal_172 ? (select_165[24:4] << 2) : select_165[24:4];
-    wire [20:0] select_188 = equal_172 ? (select_168[24:4] << 2) : select_168[24:4];
-    wire equal_191 = ~bits_183_d1[18];
-    wire equal_193 = ~bits_186_d1[18];
-    wire equal_195 = ~bits_189_d1[18];
-    wire and_196 = equal_193 & equal_195;
-    wire not_197 = ~and_196;
-    wire [18:0] select_201 = equal_191 ? (bits_183_d1 << 1) : bits_183_d1;
-    wire [18:0] select_204 = equal_191 ? (bits_186_d1 << 1) : bits_186_d1;
-    wire [18:0] select_207 = equal_191 ? (bits_189_d1 << 1) : bits_189_d1;
-    wire [36:0] add_214 = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
-    wire lt_216 = add_214_d1 < {1'd0, mul_209_d1};
-    wire and_198 = equal_191_d1 & not_197_d1;
-    wire or_199 = or_180_d1 | and_198;
-    wire not_217 = ~or_199;
-    wire [23:0] sub_224 = shl_223_d1 - resize_221_d1;
-    wire not_228 = ~sub_224[23];
-    wire [23:0] select_226 = sub_224[23] ? shl_223_d1 : sub_224;
-    wire [23:0] sub_231 = shl_230_d1 - resize_221_d2;
-    wire not_235 = ~sub_231[23];
-    wire [23:0] select_233 = sub_231[23] ? shl_230_d1 : sub_231;
-    wire [23:0] sub_239 = shl_238_d1 - resize_221_d3;
-    wire not_243 = ~sub_239[23];
-    wire [23:0] select_241 = sub_239[23] ? shl_238_d1 : sub_239;
-    wire [23:0] sub_247 = shl_246_d1 - resize_221_d4;
-    wire not_251 = ~sub_247[23];
-    wire [23:0] select_249 = sub_247[23] ? shl_246_d1 : sub_247;
-    wire [23:0] sub_255 = shl_254_d1 - resize_221_d5;
-    wire not_259 = ~sub_255[23];
-    wire [23:0] select_257 = sub_255[23] ? shl_254_d1 : sub_255;
-    wire [23:0] sub_263 = shl_262_d1 - resize_221_d6;
-    wire not_267 = ~sub_263[23];
-    wire [23:0] select_265 = sub_263[23] ? shl_262_d1 : sub_263;
-    wire [23:0] sub_271 = shl_270_d1 - resize_221_d7;
-    wire not_275 = ~sub_271[23];
-    wire [23:0] select_273 = sub_271[23] ? shl_270_d1 : sub_271;
-    wire [23:0] sub_279 = shl_278_d1 - resize_221_d8;
-    wire not_283 = ~sub_279[23];
-    wire [23:0] select_281 = sub_279[23] ? shl_278_d1 : sub_279;
-    wire [23:0] sub_287 = shl_286_d1 - resize_221_d9;
-    wire not_291 = ~sub_287[23];
-    wire [23:0] select_289 = sub_287[23] ? shl_286_d1 : sub_287;
-    wire [23:0] sub_295 = shl_294_d1 - resize_221_d10;
-    wire not_299 = ~sub_295[23];
-    wire [23:0] select_297 = sub_295[23] ? shl_294_d1 : sub_295;
-    wire [23:0] sub_303 = shl_302_d1 - resize_221_d11;
-    wire not_307 = ~sub_303[23];
-    wire [23:0] select_305 = sub_303[23] ? shl_302_d1 : sub_303;
-    wire [23:0] sub_311 = shl_310_d1 - resize_221_d12;
-    wire not_315 = ~sub_311[23];
-    wire [23:0] select_313 = sub_311[23] ? shl_310_d1 : sub_311;
-    wire [23:0] sub_319 = shl_318_d1 - resize_221_d13;
-    wire not_323 = ~sub_319[23];
-    wire [23:0] select_321 = sub_319[23] ? shl_318_d1 : sub_319;
-    wire [23:0] sub_327 = shl_326_d1 - resize_221_d14;
-    wire not_331 = ~sub_327[23];
-    wire [23:0] select_329 = sub_327[23] ? shl_326_d1 : sub_327;
-    wire [23:0] sub_335 = shl_334_d1 - resize_221_d15;
-    wire not_339 = ~sub_335[23];
-    wire [23:0] select_337 = sub_335[23] ? shl_334_d1 : sub_335;
-    wire [23:0] sub_343 = shl_342_d1 - resize_221_d16;
-    wire not_345 = ~sub_343[23];
-    wire [15:0] select_348 = delay_15_from_0_out ? concat_346_d1 : 16'hffff;
-    wire equal_352 = bits_349_d1 == 12'd0;
-    wire equal_353 = bits_349_d1 == 12'hfff;
-    wire or_354 = equal_352 | equal_353;
-    wire equal_360 = 12'd0 == bits_359_d1;
-    wire equal_361 = 12'hfff == bits_359_d1;
-    wire or_362 = equal_360 | equal_361;
-    wire and_368 = or_354_d1 & or_362_d1;
-    wire [35:0] add_367 = mul_s18_s18_unit_copy7_y + mul_s18_s18_unit_copy8_y;
-    wire equal_370 = 4'd0 == bits_369_d1;
-    wire and_371 = and_368_d2 & equal_370;
-    wire equal_376 = 8'd0 == mul_u18_u16_unit_y[33:26];
-    wire and_377 = and_371_d2 & equal_376;
-    wire [15:0] min_381 = (delay_27_from_0_out < select_348_d1) ? delay_27_from_0_out : select_348_d1;
-    wire and_218 = lt_216_d1 & not_217_d4;
-    wire or_380 = and_218 | delay_11_from_0_out;
-    wire not_382 = ~delay_18_from_0_out;
-    wire and_383 = or_380 & not_382;
-    wire or_384 = delay_19_from_0_out | and_383_d1;
-    wire or_385 = end_d19 | or_384;
-    wire [15:0] select_379 = and_377_d1 ? bits_378_d1 : 16'hffff;
+    wire end_or_last_or_inside_out_d20 = delay_20_from_0_out[3];
+    wire end_d39 = delay_20_from_0_out[0];
+    wire last_d39 = delay_20_from_0_out[1];
+    wire inside_out_d21 = delay_20_from_0_out[2];
+    wire slot_d39 = delay_39_from_0_out[0];
+    wire [5:0] pixel_out_d39 = delay_39_from_0_out[6:1];
+    wire [28:0] x = ({21'd0, in_column, 1'd1} << 13) - {in_center_x[27], in_center_x};
+    wire [28:0] s1_chosen = in_shift[3] ? {{8{x[28]}}, x[28:8]} : x;
+    wire [24:0] s1_chosen_copy2 = shift_bits_d1 ? {{4{s1_chosen_d1[24]}}, s1_chosen_d1[24:4]} : s1_chosen_d1;
+    wire [20:0] s1_chosen_copy3 = shift_bits_d1_copy2 ? {{2{s1_chosen_copy2[20]}}, s1_chosen_copy2[20:2]} : s1_chosen_copy2[20:0];
+    wire [18:0] s1_chosen_copy4 = shift_bits_d1_copy3 ? {s1_chosen_copy3[18], s1_chosen_copy3[18:1]} : s1_chosen_copy3[18:0];
+    wire [28:0] y = ({21'd0, in_row, 1'd1} << 13) - {in_center_y[27], in_center_y};
+    wire [28:0] s1_chosen_copy5 = in_shift[3] ? {{8{y[28]}}, y[28:8]} : y;
+    wire [24:0] s1_chosen_copy6 = shift_bits_d1 ? {{4{s1_chosen_d1_copy3[24]}}, s1_chosen_d1_copy3[24:4]} : s1_chosen_d1_copy3;
+    wire [20:0] s1_chosen_copy7 = shift_bits_d1_copy2 ? {{2{s1_chosen_copy6[20]}}, s1_chosen_copy6[20:2]} : s1_chosen_copy6[20:0];
+    wire [18:0] s1_chosen_copy8 = shift_bits_d1_copy3 ? {s1_chosen_copy7[18], s1_chosen_copy7[18:1]} : s1_chosen_copy7[18:0];
+    wire [35:0] s1 = mul_s18_s18_unit_y - mul_s18_s18_unit_copy2_y;
+    wire [35:0] s2 = mul_s18_s18_unit_copy3_y - mul_s18_s18_unit_copy4_y;
+    wire [36:0] d_sum = {mul_s18_s18_unit_copy5_y[35], mul_s18_s18_unit_copy5_y} + d_shifted_d4;
+    wire [36:0] d = {s1_chosen_times_my_d1[35], s1_chosen_times_my_d1} + d_sum_d1;
+    wire [36:0] not_d = ~d_d1;
+    wire [36:0] weight_out_chosen = d_d1[36] ? not_d : d_d1;
+    wire [35:0] not_s1 = ~s1_d1;
+    wire [35:0] weight_out_chosen_copy2 = s1_d1[35] ? not_s1 : s1_d1;
+    wire [35:0] not_s2 = ~s2_d1;
+    wire [35:0] weight_out_chosen_copy3 = s2_d1[35] ? not_s2 : s2_d1;
+    wire weight_out_same = weight_out_chosen_bits_d1[35:4] == 32'd0;
+    wire weight_out_same_copy2 = 32'd0 == {1'd0, weight_out_chosen_bits_d1_copy2[34:4]};
+    wire weight_out_same_copy3 = 32'd0 == {1'd0, weight_out_chosen_bits_d1_copy4[34:4]};
+    wire weight_out_both = weight_out_same_d1_copy2 & weight_out_same_d1_copy3;
+    wire not_weight_out_both = ~weight_out_both;
+    wire weight_out_both_copy2 = weight_out_same_d1 & not_weight_out_both_d1;
+    wire [35:0] weight_out_chosen_copy4 = weight_out_same_d1 ? (weight_out_chosen_bits_d2 << 32) : weight_out_chosen_bits_d2;
+    wire [35:0] weight_out_chosen_copy5 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy2 << 32) : weight_out_chosen_bits_d2_copy2;
+    wire [35:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy3 << 32) : weight_out_chosen_bits_d2_copy3;
+    wire weight_out_chosen_bits_is_zero = weight_out_chosen_d1[35:20] == 16'd0;
+    wire zero_is_weight_out_chosen_bits = 16'd0 == weight_out_chosen_d1_copy2[35:20];
+    wire zero_is_weight_out_chosen_bits_copy2 = 16'd0 == weight_out_chosen_d1_copy3[35:20];
+    wire weight_out_both_copy3 = zero_is_weight_out_chosen_bits_d1 & zero_is_weight_out_chosen_bits_d1_copy2;
+    wire not_weight_out_both_copy2 = ~weight_out_both_copy3;
+    wire weight_out_both_copy4 = weight_out_chosen_bits_is_zero_d1 & not_weight_out_both_copy2;
+    wire weight_out_either = weight_out_both_d3 | weight_out_both_d1_copy2;
+    wire [35:0] weight_out_chosen_copy7 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d2 << 16) : weight_out_chosen_d2;
+    wire [35:0] weight_out_chosen_copy8 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d2_copy2 << 16) : weight_out_chosen_d2_copy2;
+    wire [35:0] weight_out_chosen_copy9 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d2_copy3 << 16) : weight_out_chosen_d2_copy3;
+    wire weight_out_same_copy4 = weight_out_chosen_copy7[35:28] == 8'd0;
+    wire weight_out_same_copy5 = 8'd0 == weight_out_chosen_copy8[35:28];
+    wire weight_out_same_copy6 = 8'd0 == weight_out_chosen_copy9[35:28];
+    wire weight_out_both_copy5 = weight_out_same_d1_copy5 & weight_out_same_d1_copy6;
+    wire not_weight_out_both_copy3 = ~weight_out_both_copy5;
+    wire weight_out_both_copy6 = weight_out_same_d1_copy4 & not_weight_out_both_copy3;
+    wire weight_out_either_copy2 = weight_out_either_d1 | weight_out_both_d1_copy3;
+    wire [32:0] weight_out_chosen_copy10 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 8) : weight_out_chosen_bits_d1_copy6;
+    wire [32:0] weight_out_chosen_copy11 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy7 << 8) : weight_out_chosen_bits_d1_copy7;
+    wire [32:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy8 << 8) : weight_out_chosen_bits_d1_copy8;
+    wire weight_out_same_copy7 = weight_out_chosen_copy10[32:29] == 4'd0;
+    wire weight_out_same_copy8 = 4'd0 == weight_out_chosen_copy11[32:29];
+    wire weight_out_same_copy9 = 4'd0 == weight_out_chosen_copy12[32:29];
+    wire weight_out_both_copy7 = weight_out_same_d1_copy8 & weight_out_same_d1_copy9;
+    wire not_weight_out_both_copy4 = ~weight_out_both_copy7;
+    wire weight_out_both_copy8 = weight_out_same_d1_copy7 & not_weight_out_both_copy4;
+    wire [24:0] weight_out_chosen_copy13 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy9 << 4) : weight_out_chosen_bits_d1_copy9;
+    wire weight_out_same_copy10 = weight_out_chosen_copy13[24:23] == 2'd0;
+    wire [24:0] weight_out_chosen_copy14 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy10 << 4) : weight_out_chosen_bits_d1_copy10;
+    wire weight_out_same_copy11 = 2'd0 == weight_out_chosen_copy14[24:23];
+    wire [24:0] weight_out_chosen_copy15 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy11 << 4) : weight_out_chosen_bits_d1_copy11;
+    wire weight_out_same_copy12 = 2'd0 == weight_out_chosen_copy15[24:23];
+    wire weight_out_both_copy9 = weight_out_same_copy11 & weight_out_same_copy12;
+    wire weight_out_either_copy3 = weight_out_either_d1_copy2 | weight_out_both_d1_copy4;
+    wire not_weight_out_both_copy5 = ~weight_out_both_d1_copy5;
+    wire weight_out_both_copy10 = weight_out_same_d1_copy10 & not_weight_out_both_copy5;
+    wire weight_out_either_copy4 = weight_out_either_copy3 | weight_out_both_copy10;
+    wire [20:0] weight_out_chosen_copy16 = weight_out_same_copy10 ? (weight_out_chosen_copy13[24:4] << 2) : weight_out_chosen_copy13[24:4];
+    wire [20:0] weight_out_chosen_copy17 = weight_out_same_copy10 ? (weight_out_chosen_copy14[24:4] << 2) : weight_out_chosen_copy14[24:4];
+    wire [20:0] weight_out_chosen_copy18 = weight_out_same_copy10 ? (weight_out_chosen_copy15[24:4] << 2) : weight_out_chosen_copy15[24:4];
+    wire weight_out_same_copy13 = ~weight_out_chosen_bits_d1_copy12[18];
+    wire weight_out_same_copy14 = ~weight_out_chosen_bits_d1_copy13[18];
+    wire weight_out_same_copy15 = ~weight_out_chosen_bits_d1_copy14[18];
+    wire weight_out_both_copy11 = weight_out_same_copy14 & weight_out_same_copy15;
+    wire not_weight_out_both_copy6 = ~weight_out_both_copy11;
+    wire [18:0] denominator_chosen = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy12 << 1) : weight_out_chosen_bits_d1_copy12;
+    wire [18:0] weight_out_chosen_copy19 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy13 << 1) : weight_out_chosen_bits_d1_copy13;
+    wire [18:0] weight_out_chosen_copy20 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy14 << 1) : weight_out_chosen_bits_d1_copy14;
+    wire [36:0] weight_out_sum = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
+    wire weight_out_in_order = weight_out_sum_d1 < {1'd0, denominator_d1};
+    wire weight_out_both_copy12 = weight_out_same_d1_copy11 & not_weight_out_both_d1_copy2;
+    wire weight_out_either_copy5 = weight_out_either_d1_copy3 | weight_out_both_copy12;
+    wire not_weight_out_either = ~weight_out_either_copy5;
+    wire [23:0] weight_out_difference = weight_out_shifted_d1 - denominator_bits_d1;
+    wire not_weight_out_difference_sign = ~weight_out_difference[23];
+    wire [23:0] weight_out_chosen_copy21 = weight_out_difference[23] ? weight_out_shifted_d1 : weight_out_difference;
+    wire [23:0] weight_out_difference_copy2 = weight_out_shifted_d1_copy2 - denominator_bits_d2;
+    wire not_weight_out_difference_sign_copy2 = ~weight_out_difference_copy2[23];
+    wire [23:0] weight_out_chosen_copy22 = weight_out_difference_copy2[23] ? weight_out_shifted_d1_copy2 : weight_out_difference_copy2;
+    wire [23:0] weight_out_difference_copy3 = weight_out_shifted_d1_copy3 - denominator_bits_d3;
+    wire not_weight_out_difference_sign_copy3 = ~weight_out_difference_copy3[23];
+    wire [23:0] weight_out_chosen_copy23 = weight_out_difference_copy3[23] ? weight_out_shifted_d1_copy3 : weight_out_difference_copy3;
+    wire [23:0] weight_out_difference_copy4 = weight_out_shifted_d1_copy4 - denominator_bits_d4;
+    wire not_weight_out_difference_sign_copy4 = ~weight_out_difference_copy4[23];
+    wire [23:0] weight_out_chosen_copy24 = weight_out_difference_copy4[23] ? weight_out_shifted_d1_copy4 : weight_out_difference_copy4;
+    wire [23:0] weight_out_difference_copy5 = weight_out_shifted_d1_copy5 - denominator_bits_d5;
+    wire not_weight_out_difference_sign_copy5 = ~weight_out_difference_copy5[23];
+    wire [23:0] weight_out_chosen_copy25 = weight_out_difference_copy5[23] ? weight_out_shifted_d1_copy5 : weight_out_difference_copy5;
+    wire [23:0] weight_out_difference_copy6 = weight_out_shifted_d1_copy6 - denominator_bits_d6;
+    wire not_weight_out_difference_sign_copy6 = ~weight_out_difference_copy6[23];
+    wire [23:0] weight_out_chosen_copy26 = weight_out_difference_copy6[23] ? weight_out_shifted_d1_copy6 : weight_out_difference_copy6;
+    wire [23:0] weight_out_difference_copy7 = weight_out_shifted_d1_copy7 - denominator_bits_d7;
+    wire not_weight_out_difference_sign_copy7 = ~weight_out_difference_copy7[23];
+    wire [23:0] weight_out_chosen_copy27 = weight_out_difference_copy7[23] ? weight_out_shifted_d1_copy7 : weight_out_difference_copy7;
+    wire [23:0] weight_out_difference_copy8 = weight_out_shifted_d1_copy8 - denominator_bits_d8;
+    wire not_weight_out_difference_sign_copy8 = ~weight_out_difference_copy8[23];
+    wire [23:0] weight_out_chosen_copy28 = weight_out_difference_copy8[23] ? weight_out_shifted_d1_copy8 : weight_out_difference_copy8;
+    wire [23:0] weight_out_difference_copy9 = weight_out_shifted_d1_copy9 - denominator_bits_d9;
+    wire not_weight_out_difference_sign_copy9 = ~weight_out_difference_copy9[23];
+    wire [23:0] weight_out_chosen_copy29 = weight_out_difference_copy9[23] ? weight_out_shifted_d1_copy9 : weight_out_difference_copy9;
+    wire [23:0] weight_out_difference_copy10 = weight_out_shifted_d1_copy10 - denominator_bits_d10;
+    wire not_weight_out_difference_sign_copy10 = ~weight_out_difference_copy10[23];
+    wire [23:0] weight_out_chosen_copy30 = weight_out_difference_copy10[23] ? weight_out_shifted_d1_copy10 : weight_out_difference_copy10;
+    wire [23:0] weight_out_difference_copy11 = weight_out_shifted_d1_copy11 - denominator_bits_d11;
+    wire not_weight_out_difference_sign_copy11 = ~weight_out_difference_copy11[23];
+    wire [23:0] weight_out_chosen_copy31 = weight_out_difference_copy11[23] ? weight_out_shifted_d1_copy11 : weight_out_difference_copy11;
+    wire [23:0] weight_out_difference_copy12 = weight_out_shifted_d1_copy12 - denominator_bits_d12;
+    wire not_weight_out_difference_sign_copy12 = ~weight_out_difference_copy12[23];
+    wire [23:0] weight_out_chosen_copy32 = weight_out_difference_copy12[23] ? weight_out_shifted_d1_copy12 : weight_out_difference_copy12;
+    wire [23:0] weight_out_difference_copy13 = weight_out_shifted_d1_copy13 - denominator_bits_d13;
+    wire not_weight_out_difference_sign_copy13 = ~weight_out_difference_copy13[23];
+    wire [23:0] weight_out_chosen_copy33 = weight_out_difference_copy13[23] ? weight_out_shifted_d1_copy13 : weight_out_difference_copy13;
+    wire [23:0] weight_out_difference_copy14 = weight_out_shifted_d1_copy14 - denominator_bits_d14;
+    wire not_weight_out_difference_sign_copy14 = ~weight_out_difference_copy14[23];
+    wire [23:0] weight_out_chosen_copy34 = weight_out_difference_copy14[23] ? weight_out_shifted_d1_copy14 : weight_out_difference_copy14;
+    wire [23:0] weight_out_difference_copy15 = weight_out_shifted_d1_copy15 - denominator_bits_d15;
+    wire not_weight_out_difference_sign_copy15 = ~weight_out_difference_copy15[23];
+    wire [23:0] weight_out_chosen_copy35 = weight_out_difference_copy15[23] ? weight_out_shifted_d1_copy15 : weight_out_difference_copy15;
+    wire [23:0] weight_out_difference_copy16 = weight_out_shifted_d1_copy16 - denominator_bits_d16;
+    wire not_weight_out_difference_sign_copy16 = ~weight_out_difference_copy16[23];
+    wire [15:0] weight_out_chosen_copy36 = delay_15_from_0_out ? weight_out_joined_d1_copy15 : 16'hffff;
+    wire x_bits_is_zero = x_bits_d1 == 12'd0;
+    wire weight_out_same_copy16 = x_bits_d1 == 12'hfff;
+    wire weight_out_either_copy6 = x_bits_is_zero | weight_out_same_copy16;
+    wire zero_is_y_bits = 12'd0 == y_bits_d1;
+    wire weight_out_same_copy17 = 12'hfff == y_bits_d1;
+    wire weight_out_either_copy7 = zero_is_y_bits | weight_out_same_copy17;
+    wire weight_out_both_copy14 = weight_out_either_d1_copy4 & weight_out_either_d1_copy5;
+    wire [35:0] weight_out_sum_copy2 = mul_s18_s18_unit_copy7_y + mul_s18_s18_unit_copy8_y;
+    wire zero_is_weight_out_sum_bits = 4'd0 == weight_out_sum_bits_d1;
+    wire weight_out_both_copy15 = weight_out_both_d2_copy2 & zero_is_weight_out_sum_bits;
+    wire weight_out_same_copy18 = 8'd0 == mul_u18_u16_unit_y[33:26];
+    wire weight_out_both_copy16 = weight_out_both_d2_copy3 & weight_out_same_copy18;
+    wire [15:0] weight_out_lesser = (delay_27_from_0_out < weight_out_chosen_d1_copy4) ? delay_27_from_0_out : weight_out_chosen_d1_copy4;
+    wire weight_out_both_copy13 = weight_out_in_order_d1 & not_weight_out_either_d4;
+    wire covered = weight_out_both_copy13 | delay_11_from_0_out;
+    wire not_end = ~delay_18_from_0_out;
+    wire inside_out = covered & not_end;
+    wire last_or_inside_out = delay_19_from_0_out | inside_out_d1;
+    wire end_or_last_or_inside_out = end_d19 | last_or_inside_out;
+    wire [15:0] weight_out_chosen_copy37 = weight_out_both_d1_copy8 ? weight_out_product_bits_d1 : 16'hffff;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[38] & delay_20_from_0_out[3]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_20_from_0_out[0], delay_20_from_0_out[1], delay_20_from_0_out[2], delay_39_from_0_out[0],
-            delay_39_from_0_out[6:1], interpolate_8_8_16_unit_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[38] & end_or_last_or_inside_out_d20),
+        .in_ready(queue_in_ready),
+        .in_data({end_d39, last_d39, inside_out_d21, slot_d39, pixel_out_d39, interpolate_8_8_16_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_58_d2), .y(mul_s18_s18_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s18_s18_unit_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_60_d2),
-        .y(mul_s18_s18_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s18_s18_unit_copy2_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_63_d2),
-        .y(mul_s18_s18_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s18_s18_unit_copy3_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_65_d2),
-        .y(mul_s18_s18_unit_copy4_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s18_s18_unit_copy4_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_69_d2),
-        .y(mul_s18_s18_unit_copy5_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s18_s18_unit_copy5_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_71_d2),
-        .y(mul_s18_s18_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s18_s18_unit_copy6_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_356_d1), .b(reinterpret_356_d1),
+        .clk(clk), .enable(queue_in_ready), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2),
         .y(mul_s18_s18_unit_copy7_y)
     );
 
     integer_mul_s2_s18_s18 mul_s18_s18_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_364_d1), .b(reinterpret_364_d1),
+        .clk(clk), .enable(queue_in_ready), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2),
         .y(mul_s18_s18_unit_copy8_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit (
-        .clk(clk), .enable(queue_in_ready), .a(bits_202_d1), .b(bits_202_d1), .y(mul_u18_u18_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
+        .y(mul_u18_u18_unit_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(bits_205_d1), .b(bits_205_d1), .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy15),
+        .b(weight_out_chosen_bits_d1_copy15), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(bits_208_d1), .b(bits_208_d1), .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy16),
+        .b(weight_out_chosen_bits_d1_copy16), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(bits_372_d1), .b(filter_scale), .y(mul_u18_u16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale),
+        .y(mul_u18_u16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_381_d1), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -2530,166 +2477,166 @@ module splat_evaluation (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             end_d19 <= delay_18_from_0_out;
-            resize_33_d1 <= select_32[24:0];
-            bits_34_d1 <= in_shift[2];
-            bits_38_d1 <= in_shift[1];
-            bits_42_d1 <= in_shift[0];
-            resize_45_d1 <= select_44[17:0];
-            resize_48_d1 <= select_47[24:0];
-            resize_57_d1 <= select_56[17:0];
-            reinterpret_58_d1 <= in_ay;
-            reinterpret_58_d2 <= reinterpret_58_d1;
-            reinterpret_60_d1 <= in_ax;
-            reinterpret_60_d2 <= reinterpret_60_d1;
-            sub_62_d1 <= sub_62;
-            reinterpret_63_d1 <= in_by;
-            reinterpret_63_d2 <= reinterpret_63_d1;
-            reinterpret_65_d1 <= in_bx;
-            reinterpret_65_d2 <= reinterpret_65_d1;
-            sub_67_d1 <= sub_67;
-            reinterpret_69_d1 <= in_mx;
-            reinterpret_69_d2 <= reinterpret_69_d1;
-            reinterpret_71_d1 <= in_my;
-            reinterpret_71_d2 <= reinterpret_71_d1;
-            mul_72_d1 <= mul_s18_s18_unit_copy6_y;
-            shl_76_d1 <= {{15{in_delta[21]}}, in_delta} << 14;
-            shl_76_d2 <= shl_76_d1;
-            shl_76_d3 <= shl_76_d2;
-            shl_76_d4 <= shl_76_d3;
-            add_77_d1 <= add_77;
-            add_78_d1 <= add_78;
-            bits_82_d1 <= select_81[35:0];
-            bits_82_d2 <= bits_82_d1;
-            bits_86_d1 <= select_85[34:0];
-            resize_87_d1 <= {1'd0, bits_86_d1};
-            resize_87_d2 <= resize_87_d1;
-            bits_91_d1 <= select_90[34:0];
-            resize_92_d1 <= {1'd0, bits_91_d1};
-            resize_92_d2 <= resize_92_d1;
-            equal_96_d1 <= equal_96;
-            equal_98_d1 <= equal_98;
-            equal_100_d1 <= equal_100;
-            not_102_d1 <= not_102;
-            and_103_d1 <= and_103;
-            and_103_d2 <= and_103_d1;
-            and_103_d3 <= and_103_d2;
-            select_105_d1 <= select_105;
-            select_105_d2 <= select_105_d1;
-            select_107_d1 <= select_107;
-            select_107_d2 <= select_107_d1;
-            select_109_d1 <= select_109;
-            select_109_d2 <= select_109_d1;
-            equal_112_d1 <= equal_112;
-            equal_114_d1 <= equal_114;
-            equal_116_d1 <= equal_116;
-            and_119_d1 <= and_119;
-            or_120_d1 <= or_120;
-            bits_123_d1 <= select_122[35:3];
-            bits_126_d1 <= select_125[35:3];
-            bits_129_d1 <= select_128[35:3];
-            equal_132_d1 <= equal_132;
-            equal_134_d1 <= equal_134;
-            equal_136_d1 <= equal_136;
-            and_139_d1 <= and_139;
-            or_140_d1 <= or_140;
-            bits_143_d1 <= select_142[32:8];
-            bits_146_d1 <= select_145[32:8];
-            bits_149_d1 <= select_148[32:8];
-            equal_152_d1 <= equal_152;
-            equal_154_d1 <= equal_154;
-            equal_156_d1 <= equal_156;
-            and_159_d1 <= and_159;
-            equal_172_d1 <= equal_172;
-            and_177_d1 <= and_177;
-            or_180_d1 <= or_180;
-            bits_183_d1 <= select_182[20:2];
-            bits_186_d1 <= select_185[20:2];
-            bits_189_d1 <= select_188[20:2];
-            equal_191_d1 <= equal_191;
-            not_197_d1 <= not_197;
-            bits_202_d1 <= select_201[18:1];
-            bits_205_d1 <= select_204[18:1];
-            bits_208_d1 <= select_207[18:1];
-            mul_209_d1 <= mul_u18_u18_unit_y;
-            add_214_d1 <= add_214;
-            lt_216_d1 <= lt_216;
-            not_217_d1 <= not_217;
-            not_217_d2 <= not_217_d1;
-            not_217_d3 <= not_217_d2;
-            not_217_d4 <= not_217_d3;
-            resize_221_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
-            resize_221_d2 <= resize_221_d1;
-            resize_221_d3 <= resize_221_d2;
-            resize_221_d4 <= resize_221_d3;
-            resize_221_d5 <= resize_221_d4;
-            resize_221_d6 <= resize_221_d5;
-            resize_221_d7 <= resize_221_d6;
-            resize_221_d8 <= resize_221_d7;
-            resize_221_d9 <= resize_221_d8;
-            resize_221_d10 <= resize_221_d9;
-            resize_221_d11 <= resize_221_d10;
-            resize_221_d12 <= resize_221_d11;
-            resize_221_d13 <= resize_221_d12;
-            resize_221_d14 <= resize_221_d13;
-            resize_221_d15 <= resize_221_d14;
-            resize_221_d16 <= resize_221_d15;
-            shl_223_d1 <= {2'd0, add_214[35:14]} << 1;
-            not_228_d1 <= not_228;
-            shl_230_d1 <= {2'd0, select_226[21:0]} << 1;
-            concat_236_d1 <= {not_228_d1, not_235};
-            shl_238_d1 <= {2'd0, select_233[21:0]} << 1;
-            concat_244_d1 <= {concat_236_d1, not_243};
-            shl_246_d1 <= {2'd0, select_241[21:0]} << 1;
-            concat_252_d1 <= {concat_244_d1, not_251};
-            shl_254_d1 <= {2'd0, select_249[21:0]} << 1;
-            concat_260_d1 <= {concat_252_d1, not_259};
-            shl_262_d1 <= {2'd0, select_257[21:0]} << 1;
-            concat_268_d1 <= {concat_260_d1, not_267};
-            shl_270_d1 <= {2'd0, select_265[21:0]} << 1;
-            concat_276_d1 <= {concat_268_d1, not_275};
-            shl_278_d1 <= {2'd0, select_273[21:0]} << 1;
-            concat_284_d1 <= {concat_276_d1, not_283};
-            shl_286_d1 <= {2'd0, select_281[21:0]} << 1;
-            concat_292_d1 <= {concat_284_d1, not_291};
-            shl_294_d1 <= {2'd0, select_289[21:0]} << 1;
-            concat_300_d1 <= {concat_292_d1, not_299};
-            shl_302_d1 <= {2'd0, select_297[21:0]} << 1;
-            concat_308_d1 <= {concat_300_d1, not_307};
-            shl_310_d1 <= {2'd0, select_305[21:0]} << 1;
-            concat_316_d1 <= {concat_308_d1, not_315};
-            shl_318_d1 <= {2'd0, select_313[21:0]} << 1;
-            concat_324_d1 <= {concat_316_d1, not_323};
-            shl_326_d1 <= {2'd0, select_321[21:0]} << 1;
-            concat_332_d1 <= {concat_324_d1, not_331};
-            shl_334_d1 <= {2'd0, select_329[21:0]} << 1;
-            concat_340_d1 <= {concat_332_d1, not_339};
-            shl_342_d1 <= {2'd0, select_337[21:0]} << 1;
-            concat_346_d1 <= {concat_340_d1, not_345};
-            select_348_d1 <= select_348;
-            bits_349_d1 <= sub_23[28:17];
-            or_354_d1 <= or_354;
-            reinterpret_356_d1 <= sub_23[17:0];
-            bits_359_d1 <= sub_29[28:17];
-            or_362_d1 <= or_362;
-            reinterpret_364_d1 <= sub_29[17:0];
-            and_368_d1 <= and_368;
-            and_368_d2 <= and_368_d1;
-            bits_369_d1 <= add_367[35:32];
-            and_371_d1 <= and_371;
-            and_371_d2 <= and_371_d1;
-            bits_372_d1 <= add_367[31:14];
-            and_377_d1 <= and_377;
-            bits_378_d1 <= mul_u18_u16_unit_y[25:10];
-            min_381_d1 <= min_381;
-            and_383_d1 <= and_383;
+            s1_chosen_d1 <= s1_chosen[24:0];
+            shift_bits_d1 <= in_shift[2];
+            shift_bits_d1_copy2 <= in_shift[1];
+            shift_bits_d1_copy3 <= in_shift[0];
+            s1_chosen_d1_copy2 <= s1_chosen_copy4[17:0];
+            s1_chosen_d1_copy3 <= s1_chosen_copy5[24:0];
+            s1_chosen_d1_copy4 <= s1_chosen_copy8[17:0];
+            ay_d1 <= in_ay;
+            ay_d2 <= ay_d1;
+            ax_d1 <= in_ax;
+            ax_d2 <= ax_d1;
+            s1_d1 <= s1;
+            by_d1 <= in_by;
+            by_d2 <= by_d1;
+            bx_d1 <= in_bx;
+            bx_d2 <= bx_d1;
+            s2_d1 <= s2;
+            mx_d1 <= in_mx;
+            mx_d2 <= mx_d1;
+            my_d1 <= in_my;
+            my_d2 <= my_d1;
+            s1_chosen_times_my_d1 <= mul_s18_s18_unit_copy6_y;
+            d_shifted_d1 <= {{15{in_delta[21]}}, in_delta} << 14;
+            d_shifted_d2 <= d_shifted_d1;
+            d_shifted_d3 <= d_shifted_d2;
+            d_shifted_d4 <= d_shifted_d3;
+            d_sum_d1 <= d_sum;
+            d_d1 <= d;
+            weight_out_chosen_bits_d1 <= weight_out_chosen[35:0];
+            weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
+            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[34:0];
+            weight_out_chosen_bits_d1_copy3 <= {1'd0, weight_out_chosen_bits_d1_copy2};
+            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy3;
+            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy3[34:0];
+            weight_out_chosen_bits_d1_copy5 <= {1'd0, weight_out_chosen_bits_d1_copy4};
+            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy5;
+            weight_out_same_d1 <= weight_out_same;
+            weight_out_same_d1_copy2 <= weight_out_same_copy2;
+            weight_out_same_d1_copy3 <= weight_out_same_copy3;
+            not_weight_out_both_d1 <= not_weight_out_both;
+            weight_out_both_d1 <= weight_out_both_copy2;
+            weight_out_both_d2 <= weight_out_both_d1;
+            weight_out_both_d3 <= weight_out_both_d2;
+            weight_out_chosen_d1 <= weight_out_chosen_copy4;
+            weight_out_chosen_d2 <= weight_out_chosen_d1;
+            weight_out_chosen_d1_copy2 <= weight_out_chosen_copy5;
+            weight_out_chosen_d2_copy2 <= weight_out_chosen_d1_copy2;
+            weight_out_chosen_d1_copy3 <= weight_out_chosen_copy6;
+            weight_out_chosen_d2_copy3 <= weight_out_chosen_d1_copy3;
+            weight_out_chosen_bits_is_zero_d1 <= weight_out_chosen_bits_is_zero;
+            zero_is_weight_out_chosen_bits_d1 <= zero_is_weight_out_chosen_bits;
+            zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
+            weight_out_both_d1_copy2 <= weight_out_both_copy4;
+            weight_out_either_d1 <= weight_out_either;
+            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy7[35:3];
+            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy8[35:3];
+            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy9[35:3];
+            weight_out_same_d1_copy4 <= weight_out_same_copy4;
+            weight_out_same_d1_copy5 <= weight_out_same_copy5;
+            weight_out_same_d1_copy6 <= weight_out_same_copy6;
+            weight_out_both_d1_copy3 <= weight_out_both_copy6;
+            weight_out_either_d1_copy2 <= weight_out_either_copy2;
+            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy10[32:8];
+            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy11[32:8];
+            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy12[32:8];
+            weight_out_same_d1_copy7 <= weight_out_same_copy7;
+            weight_out_same_d1_copy8 <= weight_out_same_copy8;
+            weight_out_same_d1_copy9 <= weight_out_same_copy9;
+            weight_out_both_d1_copy4 <= weight_out_both_copy8;
+            weight_out_same_d1_copy10 <= weight_out_same_copy10;
+            weight_out_both_d1_copy5 <= weight_out_both_copy9;
+            weight_out_either_d1_copy3 <= weight_out_either_copy4;
+            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy16[20:2];
+            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy17[20:2];
+            weight_out_chosen_bits_d1_copy14 <= weight_out_chosen_copy18[20:2];
+            weight_out_same_d1_copy11 <= weight_out_same_copy13;
+            not_weight_out_both_d1_copy2 <= not_weight_out_both_copy6;
+            denominator_chosen_bits_d1 <= denominator_chosen[18:1];
+            weight_out_chosen_bits_d1_copy15 <= weight_out_chosen_copy19[18:1];
+            weight_out_chosen_bits_d1_copy16 <= weight_out_chosen_copy20[18:1];
+            denominator_d1 <= mul_u18_u18_unit_y;
+            weight_out_sum_d1 <= weight_out_sum;
+            weight_out_in_order_d1 <= weight_out_in_order;
+            not_weight_out_either_d1 <= not_weight_out_either;
+            not_weight_out_either_d2 <= not_weight_out_either_d1;
+            not_weight_out_either_d3 <= not_weight_out_either_d2;
+            not_weight_out_either_d4 <= not_weight_out_either_d3;
+            denominator_bits_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
+            denominator_bits_d2 <= denominator_bits_d1;
+            denominator_bits_d3 <= denominator_bits_d2;
+            denominator_bits_d4 <= denominator_bits_d3;
+            denominator_bits_d5 <= denominator_bits_d4;
+            denominator_bits_d6 <= denominator_bits_d5;
+            denominator_bits_d7 <= denominator_bits_d6;
+            denominator_bits_d8 <= denominator_bits_d7;
+            denominator_bits_d9 <= denominator_bits_d8;
+            denominator_bits_d10 <= denominator_bits_d9;
+            denominator_bits_d11 <= denominator_bits_d10;
+            denominator_bits_d12 <= denominator_bits_d11;
+            denominator_bits_d13 <= denominator_bits_d12;
+            denominator_bits_d14 <= denominator_bits_d13;
+            denominator_bits_d15 <= denominator_bits_d14;
+            denominator_bits_d16 <= denominator_bits_d15;
+            weight_out_shifted_d1 <= {2'd0, weight_out_sum[35:14]} << 1;
+            not_weight_out_difference_sign_d1 <= not_weight_out_difference_sign;
+            weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
+            weight_out_joined_d1 <= {not_weight_out_difference_sign_d1, not_weight_out_difference_sign_copy2};
+            weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
+            weight_out_joined_d1_copy2 <= {weight_out_joined_d1, not_weight_out_difference_sign_copy3};
+            weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
+            weight_out_joined_d1_copy3 <= {weight_out_joined_d1_copy2, not_weight_out_difference_sign_copy4};
+            weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
+            weight_out_joined_d1_copy4 <= {weight_out_joined_d1_copy3, not_weight_out_difference_sign_copy5};
+            weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
+            weight_out_joined_d1_copy5 <= {weight_out_joined_d1_copy4, not_weight_out_difference_sign_copy6};
+            weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
+            weight_out_joined_d1_copy6 <= {weight_out_joined_d1_copy5, not_weight_out_difference_sign_copy7};
+            weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
+            weight_out_joined_d1_copy7 <= {weight_out_joined_d1_copy6, not_weight_out_difference_sign_copy8};
+            weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
+            weight_out_joined_d1_copy8 <= {weight_out_joined_d1_copy7, not_weight_out_difference_sign_copy9};
+            weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
+            weight_out_joined_d1_copy9 <= {weight_out_joined_d1_copy8, not_weight_out_difference_sign_copy10};
+            weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
+            weight_out_joined_d1_copy10 <= {weight_out_joined_d1_copy9, not_weight_out_difference_sign_copy11};
+            weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
+            weight_out_joined_d1_copy11 <= {weight_out_joined_d1_copy10, not_weight_out_difference_sign_copy12};
+            weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
+            weight_out_joined_d1_copy12 <= {weight_out_joined_d1_copy11, not_weight_out_difference_sign_copy13};
+            weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy33[21:0]} << 1;
+            weight_out_joined_d1_copy13 <= {weight_out_joined_d1_copy12, not_weight_out_difference_sign_copy14};
+            weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy34[21:0]} << 1;
+            weight_out_joined_d1_copy14 <= {weight_out_joined_d1_copy13, not_weight_out_difference_sign_copy15};
+            weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy35[21:0]} << 1;
+            weight_out_joined_d1_copy15 <= {weight_out_joined_d1_copy14, not_weight_out_difference_sign_copy16};
+            weight_out_chosen_d1_copy4 <= weight_out_chosen_copy36;
+            x_bits_d1 <= x[28:17];
+            weight_out_either_d1_copy4 <= weight_out_either_copy6;
+            x_bits_d1_copy2 <= x[17:0];
+            y_bits_d1 <= y[28:17];
+            weight_out_either_d1_copy5 <= weight_out_either_copy7;
+            y_bits_d1_copy2 <= y[17:0];
+            weight_out_both_d1_copy6 <= weight_out_both_copy14;
+            weight_out_both_d2_copy2 <= weight_out_both_d1_copy6;
+            weight_out_sum_bits_d1 <= weight_out_sum_copy2[35:32];
+            weight_out_both_d1_copy7 <= weight_out_both_copy15;
+            weight_out_both_d2_copy3 <= weight_out_both_d1_copy7;
+            weight_out_sum_bits_d1_copy2 <= weight_out_sum_copy2[31:14];
+            weight_out_both_d1_copy8 <= weight_out_both_copy16;
+            weight_out_product_bits_d1 <= mul_u18_u16_unit_y[25:10];
+            weight_out_lesser_d1 <= weight_out_lesser;
+            inside_out_d1 <= inside_out;
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_11_from_0[delay_11_from_0_pointer] <= and_377_d1;
+        if (queue_in_ready) delay_11_from_0[delay_11_from_0_pointer] <= weight_out_both_d1_copy8;
         if (queue_in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= and_218;
+        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy13;
         if (queue_in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -2702,12 +2649,12 @@ module splat_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {or_385, and_383_d1, delay_19_from_0_out, end_d19};
+            delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out_d1, delay_19_from_0_out, end_d19};
         end
         if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_27_from_0[delay_27_from_0_pointer] <= select_379;
+        if (queue_in_ready) delay_27_from_0[delay_27_from_0_pointer] <= weight_out_chosen_copy37;
         if (queue_in_ready) delay_27_from_0_out <= delay_27_from_0[delay_27_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -2718,15 +2665,20 @@ module splat_evaluation (
     end
 
     wire _unused = &{
-        1'b0, add_367[13:0], mul_u18_u16_unit_y[9:0], select_122[2:0], select_125[2:0], select_128[2:0],
-        select_142[7:0], select_145[7:0], select_148[7:0], select_162[3:0], select_165[3:0], select_168[3:0],
-        select_182[1:0], select_185[1:0], select_188[1:0], select_201[0], select_204[0], select_207[0],
-        select_226[23:22], select_233[23:22], select_241[23:22], select_249[23:22], select_257[23:22],
-        select_265[23:22], select_273[23:22], select_281[23:22], select_289[23:22], select_297[23:22],
-        select_305[23:22], select_313[23:22], select_32[28:25], select_321[23:22], select_329[23:22],
-        select_337[23:22], select_36[24:21], select_40[20:19], select_44[18], select_47[28:25],
-        select_50[24:21], select_53[20:19], select_56[18], select_81[36], select_85[35], select_90[35],
-        sub_343[22:0]
+        1'b0, denominator_chosen[0], mul_u18_u16_unit_y[9:0], s1_chosen[28:25], s1_chosen_copy2[24:21],
+        s1_chosen_copy3[20:19], s1_chosen_copy4[18], s1_chosen_copy5[28:25], s1_chosen_copy6[24:21],
+        s1_chosen_copy7[20:19], s1_chosen_copy8[18], weight_out_chosen[36], weight_out_chosen_copy10[7:0],
+        weight_out_chosen_copy11[7:0], weight_out_chosen_copy12[7:0], weight_out_chosen_copy13[3:0],
+        weight_out_chosen_copy14[3:0], weight_out_chosen_copy15[3:0], weight_out_chosen_copy16[1:0],
+        weight_out_chosen_copy17[1:0], weight_out_chosen_copy18[1:0], weight_out_chosen_copy19[0],
+        weight_out_chosen_copy2[35], weight_out_chosen_copy20[0], weight_out_chosen_copy21[23:22],
+        weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22],
+        weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22],
+        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[35],
+        weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22],
+        weight_out_chosen_copy33[23:22], weight_out_chosen_copy34[23:22], weight_out_chosen_copy35[23:22],
+        weight_out_chosen_copy7[2:0], weight_out_chosen_copy8[2:0], weight_out_chosen_copy9[2:0],
+        weight_out_difference_copy16[22:0], weight_out_sum_copy2[13:0]
     };
 endmodule
 
@@ -2735,9 +2687,7 @@ endmodule
 // index_bits = 8
 // fraction_bits = 8
 module float_table_s4_i8_f8 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [15:0] a,
+    input  wire clk, input wire enable, input wire [15:0] a,
     output reg  [15:0] y
 );
     reg [32:0] entry_s1;
@@ -3007,8 +2957,8 @@ module float_table_s4_i8_f8 (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s2};
-    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] rise_s3_bits = {1'd0, fraction_s2};
+    wire [25:0] slope_s2_times_rise_s3_bits = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{rise_s3_bits[8]}}, rise_s3_bits});
 
     always @(posedge clk) begin
         if (enable) begin
@@ -3016,14 +2966,14 @@ module float_table_s4_i8_f8 (
             fraction_s1 <= a[7:0];
             slope_s2 <= entry_s1[16:0];
             fraction_s2 <= fraction_s1;
-            rise_s3 <= product_2[23:8];
+            rise_s3 <= slope_s2_times_rise_s3_bits[23:8];
             start_s2 <= entry_s1[32:17];
             start_s3 <= start_s2;
             y <= start_s3 + rise_s3;
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
+    wire _unused = &{1'b0, slope_s2_times_rise_s3_bits[7:0], slope_s2_times_rise_s3_bits[25:24]};
 endmodule
 
 // Integer product, pipelined.
@@ -3031,10 +2981,7 @@ endmodule
 // a = u18
 // b = u16
 module integer_mul_s2_u18_u16 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [17:0] a,
-    input  wire [15:0] b,
+    input  wire clk, input wire enable, input wire [17:0] a, input wire [15:0] b,
     output reg  [33:0] y
 );
     reg [17:0] a_s1;
@@ -3054,10 +3001,7 @@ endmodule
 // a = u18
 // b = u18
 module integer_mul_s2_u18_u18 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [17:0] a,
-    input  wire [17:0] b,
+    input  wire clk, input wire enable, input wire [17:0] a, input wire [17:0] b,
     output reg  [35:0] y
 );
     reg [17:0] a_s1, b_s1;
@@ -3076,10 +3020,7 @@ endmodule
 // a = s18
 // b = s18
 module integer_mul_s2_s18_s18 (
-    input  wire clk,
-    input  wire enable,
-    input  wire [17:0] a,
-    input  wire [17:0] b,
+    input  wire clk, input wire enable, input wire [17:0] a, input wire [17:0] b,
     output reg  [35:0] y
 );
     reg [17:0] a_s1, b_s1;
@@ -3096,14 +3037,9 @@ endmodule
 // Queue of two in registers.
 // width = 26
 module stream_skid_w26 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [25:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [25:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
 );
     reg second_valid;
     reg [25:0] head, second;
@@ -3129,17 +3065,14 @@ module stream_skid_w26 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3147,8 +3080,7 @@ endmodule
 // Control of the tile slots: placement, exchange with memory, end of frame.
 // slots = 2
 module splat_tile_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in order of tiles.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -3248,16 +3180,29 @@ module splat_tile_cache (
     input  wire [15:0] drain_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] drain_attribute_2  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
 );
-    reg head_valid, head_end;
-    reg [27:0] head_center_x, head_center_y;
-    reg [17:0] head_ax, head_bx, head_ay, head_by;
-    reg [21:0] head_delta;
-    reg [17:0] head_mx, head_my;
-    reg [3:0] head_shift;
-    reg [23:0] head_depth, head_depth_low, head_depth_high;
-    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2;
-    reg [2:0] head_left, head_right, head_top, head_bottom;
-    reg [7:0] head_tile;
+    reg head_valid;
+    reg head_end;  // Closes the frame.
+    reg [27:0] head_center_x;  // Projected center (px), the origin of what follows.
+    reg [27:0] head_center_y;  // Projected center (px), the origin of what follows.
+    reg [17:0] head_ax;  // `A` in x.
+    reg [17:0] head_bx;  // `B` in x.
+    reg [17:0] head_ay;  // `A` in y.
+    reg [17:0] head_by;  // `B` in y.
+    reg [21:0] head_delta;  // The determinant of `A` and `B`.
+    reg [17:0] head_mx;  // `m` in x.
+    reg [17:0] head_my;  // `m` in y.
+    reg [3:0] head_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg [23:0] head_depth;  // Depth.
+    reg [23:0] head_depth_low;  // What is nearer hides the splat.
+    reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] head_attribute_0;  // Attributes.
+    reg [15:0] head_attribute_1;  // Attributes.
+    reg [15:0] head_attribute_2;  // Attributes.
+    reg [2:0] head_left;  // First column.
+    reg [2:0] head_right;  // Last column.
+    reg [2:0] head_top;  // First row.
+    reg [2:0] head_bottom;  // Last row.
+    reg [7:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
     reg [7:0] code;
@@ -3292,31 +3237,31 @@ module splat_tile_cache (
     wire [142:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
-    wire term_1 = mode == 3'd6;
-    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    wire term_2 = mode == 3'd5;
-    wire draining = term_2 | (moving & evict);
-    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
-    wire drain_step = draining & term_3;
-    wire term_4 = mode == 3'd0;
-    wire term_5 = mode == 3'd4;
-    wire term_6 = mode == 3'd3;
+    wire mode_is_6 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (mode_is_6 & (pixel_queue_in_ready & ~drained[6]));
+    wire mode_is_5 = mode == 3'd5;
+    wire draining = mode_is_5 | (moving & evict);
+    wire drain_step_either = ~holding | (mode_is_5 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & drain_step_either;
+    wire mode_is_0 = mode == 3'd0;
+    wire mode_is_4 = mode == 3'd4;
+    wire mode_is_3 = mode == 3'd3;
     wire head_takes = ~head_valid;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_7 = head_waits & ~head_end;
-    wire term_8 = resident_0 & is_of_copy_0;
+    wire head_waits_and_not_head_end = head_waits & ~head_end;
+    wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{term_8, copy_slot};
-    wire term_9 = out_queue_in_ready & ~((term_8 & &in_flight_0) | (copy_slot & &in_flight_1));
-    wire send = term_7 & (copy_hit & term_9);
+    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_10 = send | send_end;
+    wire send_or_send_end = send | send_end;
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_11 = term_1 & beat;
-    wire [27:0] choice_12 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_12;
+    wire mode_is_6_and_beat = mode_is_6 & beat;
+    wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
+    wire visible = |visible_choice;
     wire in_queue_out_end = in_queue_out_data[330];
     wire [27:0] in_queue_out_center_x = in_queue_out_data[329:302];
     wire [27:0] in_queue_out_center_y = in_queue_out_data[301:274];
@@ -3340,32 +3285,32 @@ module splat_tile_cache (
     wire [2:0] in_queue_out_bottom = in_queue_out_data[10:8];
     wire [7:0] in_queue_out_tile = in_queue_out_data[7:0];
     wire last_code = &code;
-    wire term_13 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_13);
-    wire term_14 = showing | holding;
-    wire term_15 = (term_2 & (drained[6] & ~term_14)) | (term_1 & drained[6]);
-    wire next_tile = term_15 | (term_5 & ~touched);
+    wire finish_inverted = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & finish_inverted);
+    wire showing_or_holding = showing | holding;
+    wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
+    wire next_tile = next_tile_either | (mode_is_4 & ~touched);
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_16;
-    wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
-    wire start = term_7 & (~copy_hit & (term_13 & term_18));
-    wire term_19 = ~evict | (drained[6] & ~(term_14 | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & term_19));
-    wire term_20 = start | term_5;
-    wire term_21 = touched & (looked | (term_5 & ~sent_hit));
-    wire term_22 = looked | term_5;
+    wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
+    wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
+    wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
+    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire start_or_mode_is_4 = start | mode_is_4;
+    wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
+    wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire term_23 = start & ~next;
-    wire term_24 = done & ~slot;
-    wire term_25 = send & ~copy_slot;
-    wire term_26 = retire_valid & ~retire_slot;
-    wire term_27 = start & next;
-    wire term_28 = done & slot;
-    wire term_29 = send & copy_slot;
-    wire term_30 = retire_valid & retire_slot;
+    wire start_and_not_next = start & ~next;
+    wire done_and_not_slot = done & ~slot;
+    wire send_and_not_copy_slot = send & ~copy_slot;
+    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
+    wire start_and_next = start & next;
+    wire done_and_slot = done & slot;
+    wire send_and_copy_slot = send & copy_slot;
+    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
 
     assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
@@ -3392,15 +3337,13 @@ module splat_tile_cache (
     assign drain_pixel = drained[5:0];
 
     memory_1w1r_unordered #(.WIDTH(1), .DEPTH(256)) touched_tiles (
-        .clk(clk),
-        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
-        .write_data(looked),
-        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+        .clk(clk), .write(looked | (mode_is_0 | (mode_is_4 & touched))),
+        .write_address(looked ? read_tile : code), .write_data(looked),
+        .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
     stream_half_buffer_w331 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3410,8 +3353,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w332 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_10), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
@@ -3421,8 +3363,7 @@ module splat_tile_cache (
     );
 
     stream_skid_w142 write_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
         .in_data({
             evict_tile, held_pixel, drain_weight, drain_depth, drain_attribute_0, drain_attribute_1,
             drain_attribute_2
@@ -3431,12 +3372,12 @@ module splat_tile_cache (
     );
 
     stream_skid_w143 pixel_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_11) & visible)), .in_ready(pixel_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (((mode_is_5 & held_leaves) | mode_is_6_and_beat) & visible)),
+        .in_ready(pixel_queue_in_ready),
         .in_data({
-            close, code, term_2 ? held_pixel : drained[5:0], choice_12, term_2 ? drain_depth : data_depth,
-            term_2 ? drain_attribute_0 : data_attribute_0, term_2 ? drain_attribute_1 : data_attribute_1,
-            term_2 ? drain_attribute_2 : data_attribute_2
+            close, code, mode_is_5 ? held_pixel : drained[5:0], visible_choice,
+            mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_attribute_0 : data_attribute_0,
+            mode_is_5 ? drain_attribute_1 : data_attribute_1, mode_is_5 ? drain_attribute_2 : data_attribute_2
         }),
         .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
@@ -3463,30 +3404,30 @@ module splat_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_10 : in_queue_out_valid;
-            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_17;
-            code_read <= term_6 & ~code_read;
+            head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
+            mode <= ((mode_is_0 & last_code) | close) ? 3'd1 : mode_choice_2;
+            code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
-            if (term_4 | next_tile) code <= code + 8'd1;
+            if (mode_is_0 | next_tile) code <= code + 8'd1;
             if (looked | done) moving <= looked;
-            if (term_21 | read_ready) read_valid <= term_21;
+            if (read_valid_both | read_ready) read_valid <= read_valid_both;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
             if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
-            if (term_23 | close) resident_0 <= term_23;
-            if (term_24 | term_23 | finish) ready_0 <= term_24;
-            if (term_25 ^ term_26) begin
-                in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (start_and_not_next | close) resident_0 <= start_and_not_next;
+            if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
+            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
+                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_27 | close) resident_1 <= term_27;
-            if (term_28 | term_27 | finish) ready_1 <= term_28;
-            if (term_29 ^ term_30) begin
-                in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (start_and_next | close) resident_1 <= start_and_next;
+            if (done_and_slot | start_and_next | finish) ready_1 <= done_and_slot;
+            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
+                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
         end
     end
@@ -3515,26 +3456,28 @@ module splat_tile_cache (
             head_bottom <= in_queue_out_bottom;
             head_tile <= in_queue_out_tile;
         end
-        if (term_20) begin
-            slot <= term_5 ? sent_slot : next;
-            read_tile <= term_5 ? code : head_tile;
+        if (start_or_mode_is_4) begin
+            slot <= mode_is_4 ? sent_slot : next;
+            read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({8{~next}} & tile_0) | ({8{next}} & tile_1);
         end
         if (looked) load <= touched;
-        if (term_22 | (drain_next | term_11)) drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
+            drained <= looked_or_mode_is_4 ? 7'd0 : (drained + 7'd1);
+        end
         if (drain_next) shown_pixel <= drained[5:0];
         if (drain_step) held_pixel <= shown_pixel;
-        if (term_22 | fill) filled <= term_22 ? 7'd0 : (filled + 7'd1);
-        if (term_23) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
+        if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
+        if (start_and_not_next) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
         is_of_code_1 <= tile_1 == code;
         touched <= stored_touched;
-        if (term_27) tile_1 <= head_tile;
+        if (start_and_next) tile_1 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -3546,25 +3489,18 @@ module splat_tile_cache (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~term_26 | |in_flight_0)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                slot_0_retires_what_entered: assert (0);
+        slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
+        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
 `else
-                $display("assertion failed: slot_0_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_30 | |in_flight_1)) begin
-`ifdef FORMAL
-                slot_1_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_1_retires_what_entered in %m");
-                $stop;
-`endif
-            end
+        if (!(~in_flight_0_enable_both | |in_flight_0)) begin
+            $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
+        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+            $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -3572,14 +3508,9 @@ endmodule
 // Queue of two in registers.
 // width = 143
 module stream_skid_w143 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [142:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [142:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [142:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [142:0] out_data
 );
     reg second_valid;
     reg [142:0] head, second;
@@ -3605,17 +3536,14 @@ module stream_skid_w143 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3623,14 +3551,9 @@ endmodule
 // Queue of two in registers.
 // width = 142
 module stream_skid_w142 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [141:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [141:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [141:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [141:0] out_data
 );
     reg second_valid;
     reg [141:0] head, second;
@@ -3656,17 +3579,14 @@ module stream_skid_w142 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3674,14 +3594,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 332
 module stream_half_buffer_w332 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [331:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [331:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [331:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [331:0] out_data
 );
     reg full;
     reg [331:0] item;
@@ -3692,22 +3607,16 @@ module stream_half_buffer_w332 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
 // levels = 6
 module splat_reorder (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Copies in any order.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -3798,14 +3707,12 @@ module splat_reorder (
     } = out_queue_out_data;
 
     memory_1w1r_unordered #(.WIDTH(322), .DEPTH(64), .SLICE(288)) payloads (
-        .clk(clk),
-        .write(offer), .write_address(free), .write_data(in_queue_out_data[329:8]),
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[329:8]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w331 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3815,30 +3722,27 @@ module splat_reorder (
     );
 
     stream_half_buffer_w331 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w331 caught (
-        .clk(clk), .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk), .rst(rst),
-        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+        .in_pointer(free),
         .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d64_w6 returned (
-        .clk(clk), .rst(rst),
-        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -3863,17 +3767,14 @@ module splat_reorder (
     wire _unused = &{1'b0, returned_in_ready};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~leaving | returned_in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                pointers_fit: assert (0);
+        pointers_fit: assert (~leaving | returned_in_ready);
 `else
-                $display("assertion failed: pointers_fit in %m");
-                $stop;
-`endif
-            end
+        if (!(~leaving | returned_in_ready)) begin
+            $display("assertion failed: pointers_fit in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3882,14 +3783,9 @@ endmodule
 // depth = 64
 // width = 6
 module stream_fifo_d64_w6 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [5:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [5:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [5:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [5:0] out_data
 );
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
@@ -3904,8 +3800,7 @@ module stream_fifo_d64_w6 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(6), .DEPTH(64)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -3926,25 +3821,16 @@ module stream_fifo_d64_w6 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 7'd64)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {6'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3954,8 +3840,7 @@ endmodule
 // interval = 2
 // sequence_bits = 10
 module splat_heap (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Entries in any order.
     output wire in_ready,
     input  wire [7:0] in_tile,  // Tile index.
@@ -4000,8 +3885,8 @@ module splat_heap (
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     wire push = ready & in_valid;
     wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire term_1 = push & ~arrival[9];
-    wire term_2 = push & arrival[9];
+    wire push_and_not_arrival_9 = push & ~arrival[9];
+    wire push_and_arrival_9 = push & arrival[9];
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -4009,14 +3894,13 @@ module splat_heap (
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w14 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[23:16], stage_0_root[5:0]}),
+        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
+        .in_data({stage_0_root[23:16], stage_0_root[5:0]}),
         .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
         .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(19'd0),
@@ -4024,17 +3908,15 @@ module splat_heap (
         .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
         .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
         .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root),
-        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry), .below_sibling(stage_0_below_sibling),
-        .below_row(stage_0_below_row)
+        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
+        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
         .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
         .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
@@ -4053,8 +3935,7 @@ module splat_heap (
     );
 
     splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap),
-        .last_epoch(last_epoch),
+        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
         .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
         .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
         .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
@@ -4083,11 +3964,11 @@ module splat_heap (
             fresh_epoch_blocked <= (arrival[8:0] == 9'd0) & (arrival[9] ? |alive_odd : |alive_even);
             if (push ^ pop) count <= push ? (count + 6'd1) : (count - 6'd1);
             if (push) arrival <= arrival + 10'd1;
-            if (term_1 ^ (pop & ~stage_0_root[15])) begin
-                alive_even <= term_1 ? (alive_even + 6'd1) : (alive_even - 6'd1);
+            if (push_and_not_arrival_9 ^ (pop & ~stage_0_root[15])) begin
+                alive_even <= push_and_not_arrival_9 ? (alive_even + 6'd1) : (alive_even - 6'd1);
             end
-            if (term_2 ^ (pop & stage_0_root[15])) begin
-                alive_odd <= term_2 ? (alive_odd + 6'd1) : (alive_odd - 6'd1);
+            if (push_and_arrival_9 ^ (pop & stage_0_root[15])) begin
+                alive_odd <= push_and_arrival_9 ? (alive_odd + 6'd1) : (alive_odd - 6'd1);
             end
             if (pop) begin
                 current <= stage_0_root[23:16];
@@ -4108,26 +3989,12 @@ endmodule
 // levels = 6
 // interval = 2
 module splat_heap_stage_l4 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [24:0] step_entry,
-    input  wire [18:0] step_sibling,
-    input  wire [3:0] step_row,
-    output wire [24:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [3:0] promoted_node
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [24:0] step_entry, input wire [18:0] step_sibling, input wire [3:0] step_row,
+    output wire [24:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [24:0] compared_carried;
@@ -4147,69 +4014,73 @@ module splat_heap_stage_l4 (
     wire [27:0] left_shown, right_shown;
 
     wire [24:0] chosen_entry = compared_chosen_stored ? stored[27:3] : compared_entry;
-    wire term_1 = compared_carried[24] == lap;
-    wire [17:0] joined_2 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] joined_3 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_24_is_lap = compared_carried[24] == lap;
+    wire [17:0] before_sibling_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] sibling_stays_bits = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? compared_carried_24_is_lap : (before_sibling_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [24:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [17:0] joined_4 = {
+    wire [17:0] sibling_stays_bits_2 = {
         compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
         compared_parent_sibling[8:0]
     };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire term_6 = ~(chosen_left_count | chosen_right_below);
-    wire [5:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_7[0];
+    wire promoted_childless_inverted = ~(chosen_left_count | chosen_right_below);
+    wire [5:0] side_choice = lower ? last_row_before : {1'd0, row_before};
+    wire side = side_choice[0];
     wire [24:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire choice_8 = lower ? 1'd0 : compared_exists;
-    wire term_9 = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_8) & term_9) : write_back_ahead;
+    wire is_first_choice = lower ? 1'd0 : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire term_10 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_11 = write_back_hole & ~write_back_carry & choice_8;
-    wire choice_12 = lower ? 1'd0 : compared_right;
-    wire term_13 = write_back_right_below & ~(term_11 & choice_12 & (lower ? 1'd0 : term_6));
-    wire term_14 = ~write_back_hole & write_back_existed;
-    wire term_15 = ~choice_12;
-    wire sum_16 = write_back_left_count + ((term_11 & term_15) | (term_14 & term_15));
-    wire [27:0] node_to_store = {entry_to_store, term_10, term_13 | (term_14 & choice_12), sum_16};
-    wire choice_17 = lower ? compared_hole : step_hole;
-    wire choice_18 = lower ? chosen_left_count : step_left_exists;
-    wire choice_19 = lower ? chosen_right_below : step_right_exists;
-    wire choice_20 = lower ? compared_follows : step_follows;
-    wire newer = choice_20 & write_back_valid;
-    wire choice_21 = (choice_18 & choice_19) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_19;
-    wire goes_right = choice_17 ? choice_21 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? 1'd0 : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [27:0] node_to_store = {
+        entry_to_store, node_to_store_unequal, node_to_store_either,
+        write_back_left_count + node_to_store_either_2
+    };
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? (chosen_left_count | ~lower) : step_right;
     wire [5:0] next_row = {row, goes_right};
-    wire [4:0] choice_22 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire [4:0] row_choice = lower ? {1'd0, step_row} : next_row[4:0];
     wire same_side = goes_right ^ ~side;
     wire [18:0] sibling = compared_sibling_stored ? stored[27:9] : compared_sibling;
-    wire [24:0] choice_23 = ~goes_right ? right_shown[27:3] : left_shown[27:3];
-    wire term_24 = joined_2 < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? term_1 : term_24;
-    wire term_25 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[27:3] : left_shown[27:3];
+    wire before_sibling_in_order = before_sibling_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
+    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? compared_carried_24_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[3:0];
 
     memory_1w1r_unordered #(.WIDTH(28), .DEPTH(32)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_7[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(28), .DEPTH(32)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_7[5:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_22), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[5:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4224,18 +4095,18 @@ module splat_heap_stage_l4 (
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_17;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_20 & same_side;
+        compared_follows <= compared_follows_choice & same_side;
         compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_19 : choice_18;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_21;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_23[24:6];
-        compared_sibling_exists <= goes_right ? choice_18 : choice_19;
+        compared_sibling <= compared_sibling_choice[24:6];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
         compared_entry <= goes_right ? right_shown[27:3] : left_shown[27:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
@@ -4243,20 +4114,20 @@ module splat_heap_stage_l4 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_25);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
         write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & compared_exists;
         stored <= node_to_store;
-        row <= choice_22;
+        row <= row_choice;
         row_before <= row;
         last_row <= next_row;
         last_row_before <= last_row;
     end
 
-    wire _unused = &{1'b0, choice_23[5:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4264,42 +4135,18 @@ endmodule
 // levels = 6
 // interval = 2
 module splat_heap_stage_l2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [24:0] step_entry,
-    input  wire [18:0] step_sibling,
-    input  wire [1:0] step_row,
-    input  wire [24:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [3:0] below_promoted_node,
-    output wire [24:0] promoted_entry,
-    output wire promoted_exists,
-    output wire promoted_ahead,
-    output wire promoted_right,
-    output wire promoted_childless,
-    output wire [1:0] promoted_node,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [24:0] below_entry,
-    output wire [18:0] below_sibling,
-    output wire [3:0] below_row
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [24:0] step_entry, input wire [18:0] step_sibling, input wire [1:0] step_row,
+    input  wire [24:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
+    output wire [24:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
+    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [24:0] below_entry, output wire [18:0] below_sibling, output wire [3:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [24:0] compared_carried;
@@ -4321,84 +4168,85 @@ module splat_heap_stage_l2 (
     wire [29:0] left_shown, right_shown;
 
     wire [24:0] chosen_entry = compared_chosen_stored ? stored[29:5] : compared_entry;
-    wire term_1 = compared_carried[24] == lap;
-    wire [17:0] joined_2 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] joined_3 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? term_1 : (joined_2 < joined_3);
+    wire compared_carried_24_is_lap = compared_carried[24] == lap;
+    wire [17:0] before_chosen_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] sibling_stays_bits = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? compared_carried_24_is_lap : (before_chosen_bits < sibling_stays_bits);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
     wire [24:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [17:0] joined_4 = {
+    wire [17:0] sibling_stays_bits_2 = {
         compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
         compared_parent_sibling[8:0]
     };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~sibling_stays;
+    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
+    wire promoted_ahead_both = compared_exists & ~sibling_stays;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [24:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
+    wire below_valid_both = compared_valid & compared_exists;
+    wire below_right_both = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+    wire [24:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
     wire [18:0] sibling = compared_sibling_stored ? stored[29:11] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & write_back_valid;
-    wire [3:0] choice_14 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_promoted_exists : compared_exists;
-    wire term_16 = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : term_5);
-    wire is_first = write_back_hole ? ((write_back_carry | choice_15) & term_16) : write_back_ahead;
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire compared_follows_choice = lower ? compared_follows : step_follows;
+    wire newer = compared_follows_choice & write_back_valid;
+    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire [24:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_18 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_19 = write_back_hole & ~write_back_carry & choice_15;
-    wire choice_20 = lower ? below_promoted_right : compared_right;
-    wire term_21 = term_19 & choice_20 & (lower ? below_promoted_childless : term_6);
-    wire term_22 = ~write_back_hole & write_back_existed;
-    wire term_23 = (write_back_right_below & ~term_21) | (term_22 & choice_20);
-    wire term_24 = ~choice_20;
-    wire term_25 = term_19 & term_24;
-    wire [2:0] sum_26 = write_back_left_count + {{2{term_25}}, term_25 | (term_22 & term_24)};
-    wire [29:0] node_to_store = {entry_to_store, term_18, term_23, sum_26};
-    wire [2:0] choice_27 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
+    wire [29:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire [2:0] row_choice = lower ? {1'd0, step_row} : next_row[2:0];
     wire same_side = goes_right ^ ~side;
-    wire [24:0] choice_28 = ~goes_right ? right_shown[29:5] : left_shown[29:5];
-    wire term_29 = joined_2 < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? term_1 : term_29;
-    wire term_30 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[29:5] : left_shown[29:5];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
+    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? compared_carried_24_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign promoted_entry = first;
     assign promoted_exists = compared_exists;
-    assign promoted_ahead = term_5;
+    assign promoted_ahead = promoted_ahead_both;
     assign promoted_right = compared_right;
-    assign promoted_childless = term_6;
+    assign promoted_childless = promoted_childless_inverted;
     assign promoted_node = row_before[1:0];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(30), .DEPTH(8)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(30), .DEPTH(8)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[3:1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4408,23 +4256,23 @@ module splat_heap_stage_l2 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= compared_follows_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_28[24:6];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[24:6];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
         compared_entry <= goes_right ? right_shown[29:5] : left_shown[29:5];
         compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
@@ -4432,18 +4280,18 @@ module splat_heap_stage_l2 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_30);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {3{compared_exists}};
         stored <= node_to_store;
-        row <= choice_27;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_28[5:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -4451,37 +4299,18 @@ endmodule
 // levels = 6
 // interval = 2
 module splat_heap_stage_l0 (
-    input  wire clk,
-    input  wire rst,
-    input  wire lap,
-    input  wire last_epoch,
-    input  wire step_valid,
-    input  wire step_hole,
-    input  wire step_carry,
-    input  wire step_right,
-    input  wire step_left_exists,
-    input  wire step_right_exists,
-    input  wire step_follows,
-    input  wire [24:0] step_entry,
-    input  wire [18:0] step_sibling,
+    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
+    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
+    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
+    input  wire [24:0] step_entry, input wire [18:0] step_sibling,
     input  wire newcomer_lap,
-    input  wire [24:0] below_promoted_entry,
-    input  wire below_promoted_exists,
-    input  wire below_promoted_ahead,
-    input  wire below_promoted_right,
-    input  wire below_promoted_childless,
-    input  wire [1:0] below_promoted_node,
+    input  wire [24:0] below_promoted_entry, input wire below_promoted_exists,
+    input  wire below_promoted_ahead, input wire below_promoted_right,
+    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
     output wire [24:0] root,
-    output wire below_valid,
-    output wire below_hole,
-    output wire below_carry,
-    output wire below_right,
-    output wire below_left_exists,
-    output wire below_right_exists,
-    output wire below_follows,
-    output wire [24:0] below_entry,
-    output wire [18:0] below_sibling,
-    output wire [1:0] below_row
+    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
+    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
+    output wire [24:0] below_entry, output wire [18:0] below_sibling, output wire [1:0] below_row
 );
     reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [24:0] compared_carried;
@@ -4502,81 +4331,83 @@ module splat_heap_stage_l0 (
     reg row, row_before;
     wire [31:0] left_shown, right_shown;
 
-    wire choice_1 = lower ? compared_follows : step_follows;
-    wire newer = choice_1 & write_back_valid;
-    wire choice_2 = lower ? newcomer_lap : compared_carried[24];
+    wire newer_choice = lower ? compared_follows : step_follows;
+    wire newer = newer_choice & write_back_valid;
+    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[24];
     wire [24:0] chosen_entry = compared_chosen_stored ? stored[31:7] : compared_entry;
-    wire term_3 = choice_2 == lap;
-    wire [17:0] joined_4 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] joined_5 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (choice_2 ^ chosen_entry[24]) ? term_3 : (joined_4 < joined_5);
+    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
+    wire [17:0] before_chosen_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] before_chosen_bits_2 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (before_chosen_choice ^ chosen_entry[24]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [24:0] joined_6 = {choice_2, compared_carried[23:0]};
-    wire [24:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [24:0] write_back_entry_bits = {before_chosen_choice, compared_carried[23:0]};
+    wire [24:0] first = carried_first ? write_back_entry_bits : chosen_entry;
     wire [24:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire term_7 = compared_valid & compared_exists;
+    wire below_valid_both = compared_valid & compared_exists;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+    wire below_right_both = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire [24:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [24:0] below_entry_choice = carried_first ? chosen_entry : write_back_entry_bits;
     wire [18:0] sibling = compared_sibling_stored ? stored[31:13] : compared_sibling;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] choice_13 = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = choice_13[0];
-    wire choice_14 = lower ? below_promoted_exists : compared_exists;
-    wire [17:0] joined_15 = {
+    wire compared_hole_choice = lower ? compared_hole : step_hole;
+    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
+    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
+    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
+    wire side = side_choice[0];
+    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
+    wire [17:0] sibling_stays_bits = {
         compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
         compared_parent_sibling[8:0]
     };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (joined_15 < joined_5);
-    wire choice_16 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire term_17 = ~write_back_sibling_exists | write_back_ahead | choice_16;
-    wire is_first = write_back_hole ? ((write_back_carry | choice_14) & term_17) : write_back_ahead;
+    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits < before_chosen_bits_2);
+    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
+    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
+    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
-    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
+    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
     wire [1:0] next_row = {row, goes_right};
-    wire term_19 = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire term_20 = write_back_hole & ~write_back_carry & choice_14;
-    wire choice_21 = lower ? below_promoted_right : compared_right;
-    wire choice_22 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_23 = write_back_right_below & ~(term_20 & choice_21 & choice_22);
-    wire term_24 = ~write_back_hole & write_back_existed;
-    wire term_25 = ~choice_21;
-    wire term_26 = term_20 & term_25;
-    wire [4:0] sum_27 = write_back_left_count + {{4{term_26}}, term_26 | (term_24 & term_25)};
-    wire [31:0] node_to_store = {entry_to_store, term_19, term_23 | (term_24 & choice_21), sum_27};
-    wire choice_28 = lower ? 1'd0 : next_row[0];
+    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
+    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
+    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
+    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
+    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
+    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
+    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
+    wire not_node_to_store_choice = ~node_to_store_choice;
+    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
+    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
+    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
+    wire [31:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
+    wire row_choice = lower ? 1'd0 : next_row[0];
     wire same_side = goes_right ^ ~side;
-    wire [24:0] choice_29 = ~goes_right ? right_shown[31:7] : left_shown[31:7];
-    wire term_30 = joined_4 < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (choice_2 ^ sibling[18]) ? term_3 : term_30;
-    wire term_31 = carried_first & (before_sibling | ~compared_sibling_exists);
+    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[31:7] : left_shown[31:7];
+    wire before_sibling_in_order = before_chosen_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
+    wire before_sibling = (before_chosen_choice ^ sibling[18]) ? before_chosen_choice_is_lap : before_sibling_in_order;
+    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
 
     assign root = newer ? entry_to_store : right_shown[31:7];
-    assign below_valid = term_7;
+    assign below_valid = below_valid_both;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
+    assign below_right = below_right_both;
     assign below_left_exists = |chosen_left_count;
     assign below_right_exists = chosen_right_below;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = below_entry_choice;
     assign below_sibling = sibling;
     assign below_row = next_row;
 
     memory_1w1r_unordered #(.WIDTH(32), .DEPTH(2)) left_nodes (
-        .clk(clk),
-        .write(write_back_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(left_shown)
+        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
     );
 
     memory_1w1r_unordered #(.WIDTH(32), .DEPTH(2)) right_nodes (
-        .clk(clk),
-        .write(write_back_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
-        .read(1'd1), .read_address(choice_28), .read_data(right_shown)
+        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[1]),
+        .write_data(node_to_store),
+        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
     );
 
     always @(posedge clk) begin
@@ -4586,23 +4417,23 @@ module splat_heap_stage_l0 (
             write_back_valid <= 1'd0;
         end else begin
             lower <= ~lower;
-            compared_valid <= lower ? term_7 : step_valid;
+            compared_valid <= lower ? below_valid_both : step_valid;
             write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
+        compared_hole <= compared_hole_choice;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_1 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_follows <= newer_choice & same_side;
+        compared_carried <= lower ? below_entry_choice : step_entry;
+        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_18;
+        compared_was_first <= goes_right == compared_was_first_choice;
         compared_parent_sibling <= lower ? sibling : step_sibling;
         compared_chosen_stored <= newer & same_side;
         compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= choice_29[24:6];
-        compared_sibling_exists <= goes_right ? choice_11 : choice_12;
+        compared_sibling <= compared_sibling_choice[24:6];
+        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
         compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
         compared_entry <= goes_right ? right_shown[31:7] : left_shown[31:7];
         compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
@@ -4610,31 +4441,26 @@ module splat_heap_stage_l0 (
         write_back_hole <= compared_hole;
         write_back_carry <= compared_carry;
         write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : ((compared_exists & compared_was_first) | term_31);
+        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
         write_back_sibling_exists <= compared_sibling_exists;
         write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
         write_back_entry <= first;
         write_back_right_below <= chosen_right_below & compared_exists;
         write_back_left_count <= chosen_left_count & {5{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= row_choice;
         row_before <= row;
     end
 
-    wire _unused = &{1'b0, choice_29[5:0]};
+    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
 endmodule
 
 // Queue of two in registers.
 // width = 14
 module stream_skid_w14 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [13:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [13:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [13:0] out_data
 );
     reg second_valid;
     reg [13:0] head, second;
@@ -4660,25 +4486,21 @@ module stream_skid_w14 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
 
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire in_valid,  // Footprints with bounds in the image.
     output wire in_ready,
     input  wire in_end,  // Closes the frame.
@@ -4727,15 +4549,28 @@ module splat_splitter (
     output wire [2:0] out_bottom,  // Last row.
     output wire [7:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last, splat_end;
-    reg [27:0] splat_center_x, splat_center_y;
-    reg [17:0] splat_ax, splat_bx, splat_ay, splat_by;
-    reg [21:0] splat_delta;
-    reg [17:0] splat_mx, splat_my;
-    reg [3:0] splat_shift;
-    reg [23:0] splat_depth, splat_depth_low, splat_depth_high;
-    reg [15:0] splat_attribute_0, splat_attribute_1, splat_attribute_2;
-    reg [6:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg busy, idle, last;
+    reg splat_end;  // Closes the frame.
+    reg [27:0] splat_center_x;  // Projected center (px), the origin of what follows.
+    reg [27:0] splat_center_y;  // Projected center (px), the origin of what follows.
+    reg [17:0] splat_ax;  // `A` in x.
+    reg [17:0] splat_bx;  // `B` in x.
+    reg [17:0] splat_ay;  // `A` in y.
+    reg [17:0] splat_by;  // `B` in y.
+    reg [21:0] splat_delta;  // The determinant of `A` and `B`.
+    reg [17:0] splat_mx;  // `m` in x.
+    reg [17:0] splat_my;  // `m` in y.
+    reg [3:0] splat_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg [23:0] splat_depth;  // Depth.
+    reg [23:0] splat_depth_low;  // What is nearer hides the splat.
+    reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
+    reg [15:0] splat_attribute_0;  // Attributes.
+    reg [15:0] splat_attribute_1;  // Attributes.
+    reg [15:0] splat_attribute_2;  // Attributes.
+    reg [6:0] splat_left;  // First column.
+    reg [6:0] splat_right;  // Last column.
+    reg [6:0] splat_top;  // First row.
+    reg [6:0] splat_bottom;  // Last row.
     reg [3:0] column, row;
 
     wire out_queue_in_ready, out_queue_out_valid;
@@ -4744,11 +4579,10 @@ module splat_splitter (
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[6:3];
     wire take = ready & in_valid;
-    wire term_1 = {in_top[6:3], in_left[6:3]} == {in_bottom[6:3], in_right[6:3]};
-    wire term_2 = in_end | term_1;
-    wire [3:0] choice_3 = right_most ? (row + 4'd1) : row;
-    wire [3:0] choice_4 = right_most ? splat_left[6:3] : (column + 4'd1);
-    wire term_5 = {choice_3, choice_4} == {splat_bottom[6:3], splat_right[6:3]};
+    wire idle_either = in_end | ({in_top[6:3], in_left[6:3]} == {in_bottom[6:3], in_right[6:3]});
+    wire [3:0] idle_choice = right_most ? (row + 4'd1) : row;
+    wire [3:0] idle_choice_2 = right_most ? splat_left[6:3] : (column + 4'd1);
+    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[6:3], splat_right[6:3]};
 
     assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
@@ -4759,8 +4593,7 @@ module splat_splitter (
     } = out_queue_out_data;
 
     stream_half_buffer_w331 out_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
@@ -4777,14 +4610,14 @@ module splat_splitter (
             idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
-            idle <= take ? term_2 : (~busy | (last | term_5));
+            idle <= take ? idle_either : (~busy | (last | idle_same));
         end
     end
     always @(posedge clk) begin
         if (out_queue_in_ready) begin
-            last <= take ? term_2 : term_5;
-            column <= take ? in_left[6:3] : choice_4;
-            row <= take ? in_top[6:3] : choice_3;
+            last <= take ? idle_either : idle_same;
+            column <= take ? in_left[6:3] : idle_choice_2;
+            row <= take ? in_top[6:3] : idle_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -4815,14 +4648,9 @@ endmodule
 // One item in a register, at half rate.
 // width = 331
 module stream_half_buffer_w331 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [330:0] in_data,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [330:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [330:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [330:0] out_data
 );
     reg full;
     reg [330:0] item;
@@ -4833,70 +4661,64 @@ module stream_half_buffer_w331 (
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            full <= 1'd0;
-        end else begin
-            full <= full ? ~out_ready : in_valid;
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        if (in_ready) item <= in_data;
-    end
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
 // latency = 160
 // initiation_interval = 16
 module splat_setup (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in camera space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [23:0] filter_radius,
-    input  wire [23:0] scale_x,
-    input  wire [23:0] origin_x,
-    input  wire [23:0] scale_y,
-    input  wire [23:0] origin_y,
-    input  wire [23:0] depth_b,
-    input  wire [23:0] depth_a,
-    input  wire [23:0] epsilon_scale,
-    input  wire [23:0] epsilon_bias,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] scale_x,  // Scale (px).
+    input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
+    input  wire [23:0] scale_y,  // Scale (px).
+    input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
+    output wire out_valid,  // Footprints with bounds.
     input  wire out_ready,
-    output wire out_end,
-    output wire [27:0] out_center_x,
-    output wire [27:0] out_center_y,
-    output wire [17:0] out_ax,
-    output wire [17:0] out_bx,
-    output wire [17:0] out_ay,
-    output wire [17:0] out_by,
-    output wire [21:0] out_delta,
-    output wire [17:0] out_mx,
-    output wire [17:0] out_my,
-    output wire [3:0] out_shift,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [6:0] out_left,
-    output wire [6:0] out_right,
-    output wire [6:0] out_top,
-    output wire [6:0] out_bottom
+    output wire out_end,  // Closes the frame.
+    output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
+    output wire [27:0] out_center_y,  // Projected center (px), the origin of what follows.
+    output wire [17:0] out_ax,  // `A` in x.
+    output wire [17:0] out_bx,  // `B` in x.
+    output wire [17:0] out_ay,  // `A` in y.
+    output wire [17:0] out_by,  // `B` in y.
+    output wire [21:0] out_delta,  // The determinant of `A` and `B`.
+    output wire [17:0] out_mx,  // `m` in x.
+    output wire [17:0] out_my,  // `m` in y.
+    output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire [23:0] out_depth,  // Depth.
+    output wire [23:0] out_depth_low,  // What is nearer hides the splat.
+    output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2,  // Attributes.
+    output wire [6:0] out_left,  // First column.
+    output wire [6:0] out_right,  // Last column.
+    output wire [6:0] out_top,  // First row.
+    output wire [6:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
     reg [37:0] delay_5_from_0 [0:3];
@@ -4949,94 +4771,104 @@ module splat_setup (
     reg [36:0] delay_6_from_15_out;
     reg [2:0] delay_7_from_15_pointer, delay_7_from_15_out;
     reg end_d10;
-    reg [23:0] recip_15_d1, reinterpret_16_d1, reinterpret_16_d2, mul_17_d1, mul_17_d2, reinterpret_18_d1;
-    reg [23:0] reinterpret_18_d2, mul_19_d1, mul_19_d2, add_22_d1, add_22_d2, recip_25_d1, reinterpret_28_d1;
-    reg [23:0] reinterpret_28_d2, mul_29_d1, reinterpret_30_d1, reinterpret_30_d2, mul_31_d1, mul_35_d1;
-    reg [23:0] reinterpret_36_d1, reinterpret_36_d2, mul_37_d1, mul_41_d1, add_44_d1, add_44_d2, mul_45_d1;
-    reg [23:0] add_47_d1, mul_50_d1, add_52_d1, mul_53_d1, add_57_d1, add_57_d2, neg_58_d1, add_62_d1, add_62_d2;
-    reg [23:0] add_62_d3, add_64_d1, add_64_d2, add_64_d3;
-    reg [21:0] shr_72_d1, shr_80_d1, min_82_d1;
-    reg [6:0] resize_85_d1, resize_85_d2, resize_85_d3, resize_86_d1, resize_86_d2;
-    reg [23:0] reinterpret_90_d1, reinterpret_90_d2, mul_91_d1, reinterpret_92_d1, reinterpret_92_d2, mul_93_d1;
-    reg [23:0] mul_97_d1, reinterpret_98_d1, reinterpret_98_d2, mul_99_d1, mul_103_d1, add_106_d1, add_106_d2;
-    reg [23:0] add_109_d1, add_114_d1, mul_115_d1, add_116_d1, add_119_d1, add_119_d2, neg_120_d1, add_123_d1;
-    reg [23:0] add_123_d2, add_123_d3, add_125_d1, add_125_d2, add_125_d3;
-    reg [21:0] shr_131_d1, shr_137_d1, min_138_d1;
-    reg [6:0] resize_140_d1, resize_140_d2, resize_140_d3, resize_141_d1, resize_141_d2;
-    reg equal_153_d1;
-    reg [7:0] bits_154_d1;
-    reg lt_156_d1;
-    reg [23:0] mul_167_d1, mul_167_d2, mul_167_d3, add_169_d1, add_169_d2, add_172_d1, abs_173_d1, sqrt_174_d1;
-    reg [23:0] mul_175_d1, mul_176_d1, select_180_d1, select_180_d2, min_181_d1, select_182_d1, add_186_d1;
-    reg le_187_d1, and_188_d1, and_189_d1, bits_190_d1, or_195_d1, or_195_d2, placed_d1, placed_d2;
-    reg [29:0] shr_213_d1;
-    reg [27:0] resize_215_d1, select_216_d6, select_216_d7;
-    reg [29:0] shr_224_d1;
-    reg [27:0] resize_226_d1, select_227_d1, select_227_d2, select_227_d3, select_227_d4, select_227_d5;
-    reg [27:0] select_227_d6;
-    reg [28:0] reinterpret_233_d1, resize_234_d1, sub_235_d1, reinterpret_237_d1, sub_238_d1;
-    reg [27:0] bits_242_d1;
-    reg [28:0] not_244_d1, reinterpret_252_d1, resize_253_d1, sub_254_d1, reinterpret_256_d1, sub_257_d1;
-    reg [27:0] bits_261_d1, or_262_d1;
-    reg [28:0] not_264_d1;
-    reg [10:0] bits_269_d1;
-    reg not_272_d1;
-    reg [9:0] bits_275_d1;
-    reg not_278_d1;
-    reg [8:0] bits_281_d1;
-    reg not_283_d1;
-    reg [3:0] select_285_d1;
-    reg [7:0] bits_286_d1;
-    reg not_289_d1;
-    reg [6:0] bits_292_d1;
-    reg not_295_d1;
-    reg [5:0] bits_298_d1;
-    reg not_301_d1;
-    reg [3:0] select_303_d1;
-    reg [4:0] bits_304_d1;
-    reg not_307_d1;
-    reg [3:0] bits_310_d1;
-    reg not_312_d1, equal_317_d1;
-    reg [3:0] select_320_d1;
-    reg equal_323_d1, equal_329_d1;
+    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, alpha_d1, alpha_d2, tangent2_z_d1, tangent2_z_d2, beta_d1;
+    reg [23:0] beta_d2, q_d1, q_d2, f_d1, center_x_d1, center_x_d2, v_x_d1, tangent1_x_d1, tangent1_x_d2;
+    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, r_times_tangent2_x_d1, b_x_d1;
+    reg [23:0] center_x_d1_copy2, center_x_d2_copy2, alpha_times_a_x_d1, t_x_sum_d1, a_x_squared_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] minus_h_x_d1, center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2;
+    reg [23:0] center_x_minus_filter_radius_d3, filter_radius_plus_center_x_d1, filter_radius_plus_center_x_d2;
+    reg [23:0] filter_radius_plus_center_x_d3;
+    reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
+    reg [6:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2;
+    reg [23:0] center_y_d1, center_y_d2, v_y_d1, tangent1_y_d1, tangent1_y_d2, r_times_tangent1_y_d1, a_y_d1;
+    reg [23:0] tangent2_y_d1, tangent2_y_d2, r_times_tangent2_y_d1, b_y_d1, center_y_d1_copy2, center_y_d2_copy2;
+    reg [23:0] t_y_sum_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, minus_h_y_d1, center_y_minus_filter_radius_d1;
+    reg [23:0] center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3, filter_radius_plus_center_y_d1;
+    reg [23:0] filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3;
+    reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
+    reg [6:0] first_y_d1, first_y_d2, first_y_d3, last_y_d1, last_y_d2;
+    reg delta_bits_is_zero_d1;
+    reg [7:0] a_x_times_b_y_bits_d1;
+    reg edge_on_in_order_d1;
+    reg [23:0] b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1;
+    reg [23:0] abs_b_depth_d1, root_of_q_d1, f_times_root_of_q_d1, spread_half_d1, middle_depth_d1, middle_depth_d2;
+    reg [23:0] half_depth_lesser_d1, half_depth_d1, epsilon_d1;
+    reg center_depth_up_to_one_d1, visible_both_d1, occupied_y_and_visible_both_d1, delta_sign_d1;
+    reg end_or_visible_d1, end_or_visible_d2, placed_d1, placed_d2;
+    reg [29:0] center_x_out_shifted_d1;
+    reg [27:0] center_x_out_lesser_d1, center_x_out_d6, center_x_out_d7;
+    reg [29:0] center_y_out_shifted_d1;
+    reg [27:0] center_y_out_lesser_d1, center_y_out_d1, center_y_out_d2, center_y_out_d3, center_y_out_d4;
+    reg [27:0] center_y_out_d5, center_y_out_d6;
+    reg [28:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
+    reg [28:0] shift_difference_d1_copy2;
+    reg [27:0] shift_chosen_bits_d1;
+    reg [28:0] not_shift_difference_d1, shift_shifted_d1_copy3, center_y_out_d1_copy2, shift_difference_d1_copy3;
+    reg [28:0] shift_shifted_d1_copy4, shift_difference_d1_copy4;
+    reg [27:0] shift_chosen_bits_d1_copy2, shift_either_d1;
+    reg [28:0] not_shift_difference_d1_copy2;
+    reg [10:0] shift_either_bits_d1;
+    reg not_shift_either_bits_is_zero_d1;
+    reg [9:0] shift_either_bits_d1_copy2;
+    reg not_shift_either_bits_is_zero_d1_copy2;
+    reg [8:0] shift_either_bits_d1_copy3;
+    reg not_zero_is_shift_either_bits_d1;
+    reg [3:0] shift_chosen_d1;
+    reg [7:0] shift_either_bits_d1_copy4;
+    reg not_shift_either_bits_is_zero_d1_copy3;
+    reg [6:0] shift_either_bits_d1_copy5;
+    reg not_shift_either_bits_is_zero_d1_copy4;
+    reg [5:0] shift_either_bits_d1_copy6;
+    reg not_shift_either_bits_is_zero_d1_copy5;
+    reg [3:0] shift_chosen_d1_copy2;
+    reg [4:0] shift_either_bits_d1_copy7;
+    reg not_shift_either_bits_is_zero_d1_copy6;
+    reg [3:0] shift_either_bits_d1_copy8;
+    reg not_zero_is_shift_either_bits_d1_copy2, shift_either_bits_is_zero_d1;
+    reg [3:0] shift_chosen_d1_copy3;
+    reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2;
-    reg [9:0] add_335_d1, resize_336_d6, select_339_d1, resize_341_d1, resize_347_d1, resize_347_d7, resize_349_d6;
-    reg [9:0] resize_351_d6, max_352_d1, max_353_d1, max_354_d1, max_355_d1, max_356_d1, exponent_d1, add_359_d1;
-    reg and_363_d1;
-    reg [23:0] reinterpret_371_d1;
-    reg [19:0] shr_380_d1;
-    reg [17:0] resize_382_d1;
-    reg [9:0] add_383_d1;
-    reg and_387_d1;
-    reg [23:0] reinterpret_395_d1;
-    reg [19:0] shr_403_d1;
-    reg [17:0] resize_405_d1;
-    reg [9:0] add_406_d1;
-    reg and_410_d1;
-    reg [23:0] reinterpret_418_d1;
-    reg [19:0] shr_426_d1;
-    reg [17:0] resize_428_d1;
-    reg [9:0] add_429_d1;
-    reg and_433_d1;
-    reg [23:0] reinterpret_441_d1;
-    reg [19:0] shr_449_d1;
-    reg [17:0] resize_451_d1;
-    reg [9:0] add_452_d1;
-    reg and_456_d1;
-    reg [23:0] reinterpret_464_d1;
-    reg [19:0] shr_472_d1;
-    reg [17:0] resize_474_d1;
-    reg [9:0] add_475_d1;
-    reg and_479_d1;
-    reg [23:0] reinterpret_487_d1;
-    reg [19:0] shr_495_d1;
-    reg [17:0] resize_497_d1;
-    reg lt_500_d1;
-    reg [9:0] sub_504_d1;
-    reg [23:0] reinterpret_510_d1, shr_519_d1;
-    reg [21:0] resize_521_d1;
-    reg or_525_d1, equal_526_d1, or_529_d1, or_531_d1, or_533_d1, equal_534_d1, vanishes_d1, or_542_d1;
-    reg [23:0] to_fixed_555_d1, to_fixed_555_d2, to_fixed_555_d3, to_fixed_559_d1, to_fixed_559_d2, to_fixed_562_d1;
+    reg [9:0] shift_plus_4_d1, delta_bits_d6, exponent_chosen_d1, a_x_bits_d1, b_y_bits_d1, b_y_bits_d7, mx_bits_d6;
+    reg [9:0] my_bits_d6, exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3;
+    reg [9:0] exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1, a_x_bits_plus_126_d1;
+    reg ax_out_both_d1;
+    reg [23:0] ax_out_joined_d1;
+    reg [19:0] ax_out_shifted_d1;
+    reg [17:0] ax_out_lesser_d1;
+    reg [9:0] b_x_bits_plus_126_d1;
+    reg bx_out_both_d1;
+    reg [23:0] bx_out_joined_d1;
+    reg [19:0] bx_out_shifted_d1;
+    reg [17:0] bx_out_lesser_d1;
+    reg [9:0] a_y_bits_plus_126_d1;
+    reg ay_out_both_d1;
+    reg [23:0] ay_out_joined_d1;
+    reg [19:0] ay_out_shifted_d1;
+    reg [17:0] ay_out_lesser_d1;
+    reg [9:0] b_y_bits_plus_126_d1;
+    reg by_out_both_d1;
+    reg [23:0] by_out_joined_d1;
+    reg [19:0] by_out_shifted_d1;
+    reg [17:0] by_out_lesser_d1;
+    reg [9:0] mx_bits_plus_126_d1;
+    reg mx_out_both_d1;
+    reg [23:0] mx_out_joined_d1;
+    reg [19:0] mx_out_shifted_d1;
+    reg [17:0] mx_out_lesser_d1;
+    reg [9:0] my_bits_plus_126_d1;
+    reg my_out_both_d1;
+    reg [23:0] my_out_joined_d1;
+    reg [19:0] my_out_shifted_d1;
+    reg [17:0] my_out_lesser_d1;
+    reg vanishes_in_order_d1;
+    reg [9:0] vanishes_difference_d1;
+    reg [23:0] vanishes_joined_d1, vanishes_shifted_d1;
+    reg [21:0] vanishes_lesser_d1;
+    reg odd_either_d1, a_y_bits_is_255_d1, odd_either_d1_copy2, odd_either_or_mx_bits_is_255_d1;
+    reg odd_either_d1_copy3, delta_bits_is_255_d1, vanishes_d1, edge_on_or_not_placed_d1;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_low_out_d1, depth_low_out_d2, depth_high_out_d1;
     reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
     reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
@@ -5058,280 +4890,345 @@ module splat_setup (
     wire [22:0] to_fixed_f24_ftz_s23q22_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire term_1 = phase == 4'd0;
-    wire term_2 = in_flight[9] & or_195_d2 & term_1;
+    wire phase_is_0 = phase == 4'd0;
+    wire queue_in_valid_both = in_flight[9] & end_or_visible_d2 & phase_is_0;
     wire covers_nothing = vanishes_d1 | delay_6_from_1_out;
-    wire [17:0] select_546 = covers_nothing ? 18'd0 : resize_382_d1;
-    wire [17:0] select_547 = covers_nothing ? 18'd0 : resize_405_d1;
-    wire [17:0] select_548 = covers_nothing ? 18'd0 : resize_428_d1;
-    wire [17:0] select_549 = covers_nothing ? 18'd0 : resize_451_d1;
-    wire [21:0] select_551 = covers_nothing ? 22'd0 : resize_521_d1;
-    wire [17:0] select_552 = covers_nothing ? 18'd0 : resize_474_d1;
-    wire [17:0] select_553 = covers_nothing ? 18'd0 : resize_497_d1;
-    wire term_3 = phase == 4'd15;
-    wire [3:0] phase_next = queue_in_ready ? (term_3 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [21:0] add_71 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] shifted_6 = add_71 >> 8;
-    wire [21:0] add_79 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] min_82 = (22'd128 < shr_80_d1) ? 22'd128 : shr_80_d1;
-    wire [21:0] sub_84 = min_82_d1 - 22'd1;
-    wire [21:0] add_130 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] shifted_7 = add_130 >> 8;
-    wire [21:0] add_136 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] min_138 = (shr_137_d1 < 22'd128) ? shr_137_d1 : 22'd128;
-    wire [21:0] sub_139 = min_138_d1 - 22'd1;
-    wire [8:0] joined_8 = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire equal_153 = joined_8 == 9'd0;
-    wire [8:0] add_151 = joined_8 + 9'd12;
-    wire lt_156 = add_151 < {1'd0, bits_154_d1};
-    wire [23:0] select_180 = le_f24_ftz_unit_y ? add_172_d1 : add_169_d2;
-    wire [23:0] select_182 = le_f24_ftz_unit_y ? mul_176_d1 : min_181_d1;
-    wire lt_87 = shr_72_d1 < min_82_d1;
-    wire and_188 = lt_87 & le_187_d1;
-    wire lt_142 = shr_131_d1 < min_138_d1;
-    wire and_189 = lt_142 & and_188_d1;
-    wire and_194 = and_189_d1 & delay_5_from_15_out[0];
-    wire or_195 = delay_9_from_0_out | and_194;
-    wire [9:0] joined_9 = {2'd0, add_f24_ftz_unit_y[22:15]};
-    wire lt_199 = joined_9 < 10'd140;
-    wire [9:0] joined_10 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire lt_202 = joined_10 < 10'd140;
-    wire placed = lt_199 & lt_202;
-    wire [29:0] joined_11 = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
-    wire not_207 = ~to_fixed_f24_ftz_s29q15_unit_y[28];
-    wire [29:0] add_211 = joined_11 + {29'd0, not_207};
-    wire [29:0] min_214 = ($signed(shr_213_d1) < $signed(30'h7ffffff)) ? shr_213_d1 : 30'h7ffffff;
-    wire not_219 = not_207;
-    wire [29:0] add_223 = joined_11 + {29'd0, not_219};
-    wire [29:0] min_225 = ($signed(shr_224_d1) < $signed(30'h7ffffff)) ? shr_224_d1 : 30'h7ffffff;
-    wire [27:0] select_227 = placed_d2 ? resize_226_d1 : 28'h8000000;
-    wire [28:0] sub_235 = reinterpret_233_d1 - resize_234_d1;
-    wire [28:0] add_230 = 29'd1 + {22'd0, resize_86_d1};
-    wire [28:0] sub_238 = reinterpret_237_d1 - resize_234_d1;
-    wire [28:0] not_240 = ~sub_235_d1;
-    wire [28:0] select_241 = sub_235_d1[28] ? not_240 : sub_235_d1;
-    wire [28:0] not_244 = ~sub_238;
-    wire [28:0] sub_254 = reinterpret_252_d1 - resize_253_d1;
-    wire [28:0] add_249 = 29'd1 + {22'd0, resize_141_d1};
-    wire [28:0] sub_257 = reinterpret_256_d1 - resize_253_d1;
-    wire [28:0] not_259 = ~sub_254_d1;
-    wire [28:0] select_260 = sub_254_d1[28] ? not_259 : sub_254_d1;
-    wire [28:0] select_245 = sub_238_d1[28] ? not_244_d1 : sub_238_d1;
-    wire [27:0] or_247 = bits_242_d1 | select_245[27:0];
-    wire [27:0] or_262 = or_247 | bits_261_d1;
-    wire [28:0] not_264 = ~sub_257;
-    wire [28:0] select_265 = sub_257_d1[28] ? not_264_d1 : sub_257_d1;
-    wire [27:0] or_267 = or_262_d1 | select_265[27:0];
-    wire equal_271 = bits_269_d1 == 11'd0;
-    wire not_272 = ~equal_271;
-    wire equal_277 = bits_275_d1 == 10'd0;
-    wire not_278 = ~equal_277;
-    wire equal_282 = 9'd0 == bits_281_d1;
-    wire not_283 = ~equal_282;
-    wire [3:0] select_274 = not_272_d1 ? 4'd1 : 4'd0;
-    wire [3:0] select_280 = not_278_d1 ? 4'd2 : select_274;
-    wire [3:0] select_285 = not_283_d1 ? 4'd3 : select_280;
-    wire equal_288 = bits_286_d1 == 8'd0;
-    wire not_289 = ~equal_288;
-    wire equal_294 = bits_292_d1 == 7'd0;
-    wire not_295 = ~equal_294;
-    wire equal_300 = bits_298_d1 == 6'd0;
-    wire not_301 = ~equal_300;
-    wire [3:0] select_291 = not_289_d1 ? 4'd4 : select_285_d1;
-    wire [3:0] select_297 = not_295_d1 ? 4'd5 : select_291;
-    wire [3:0] select_303 = not_301_d1 ? 4'd6 : select_297;
-    wire equal_306 = bits_304_d1 == 5'd0;
-    wire not_307 = ~equal_306;
-    wire equal_311 = 4'd0 == bits_310_d1;
-    wire not_312 = ~equal_311;
-    wire equal_317 = or_267[27:25] == 3'd0;
-    wire not_318 = ~equal_317_d1;
-    wire [3:0] select_309 = not_307_d1 ? 4'd7 : select_303_d1;
-    wire [3:0] select_314 = not_312_d1 ? 4'd8 : select_309;
-    wire [3:0] select_320 = not_318 ? 4'd9 : select_314;
-    wire equal_323 = or_267[27:26] == 2'd0;
-    wire equal_329 = ~or_267[27];
-    wire not_330 = ~equal_329_d1;
-    wire not_324 = ~equal_323_d1;
-    wire [3:0] select_326 = not_324 ? 4'd10 : select_320_d1;
-    wire [3:0] shift = not_330 ? 4'd11 : select_326;
-    wire [9:0] add_335 = {6'd0, shift_d1} + 10'd4;
-    wire lt_337 = add_335_d1 < delay_5_from_14_out[10:1];
-    wire [9:0] sub_338 = delay_5_from_14_out[10:1] - add_335_d1;
-    wire [9:0] select_339 = lt_337 ? sub_338 : 10'd0;
-    wire [9:0] joined_12 = {2'd0, mul_f24_ftz_unit_y[22:15]};
-    wire [9:0] joined_13 = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire [9:0] max_352 = (select_339_d1 < delay_5_from_14_out[20:11]) ? delay_5_from_14_out[20:11] : select_339_d1;
-    wire [9:0] max_353 = (delay_6_from_15_out[9:0] < max_352_d1) ? max_352_d1 : delay_6_from_15_out[9:0];
-    wire [9:0] max_354 = (delay_6_from_15_out[19:10] < max_353_d1) ? max_353_d1 : delay_6_from_15_out[19:10];
-    wire [9:0] max_355 = (resize_347_d7 < max_354_d1) ? max_354_d1 : resize_347_d7;
-    wire [9:0] max_356 = (resize_349_d6 < max_355_d1) ? max_355_d1 : resize_349_d6;
-    wire [9:0] exponent = (resize_351_d6 < max_356_d1) ? max_356_d1 : resize_351_d6;
-    wire [9:0] add_359 = delay_5_from_14_out[20:11] + 10'd126;
-    wire lt_360 = exponent_d1 < add_359_d1;
-    wire and_363 = lt_360 & delay_7_from_14_out;
-    wire [9:0] sub_364 = add_359_d1 - exponent_d1;
-    wire [9:0] select_365 = and_363_d1 ? sub_364 : 10'd0;
-    wire [19:0] joined_14 = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
-    wire not_374 = ~to_fixed_f24_ftz_s19q18_unit_y[18];
-    wire [19:0] add_378 = joined_14 + {19'd0, not_374};
-    wire [19:0] min_381 = ($signed(shr_380_d1) < $signed(20'h1ffff)) ? shr_380_d1 : 20'h1ffff;
-    wire [9:0] add_383 = delay_6_from_15_out[9:0] + 10'd126;
-    wire lt_384 = exponent_d1 < add_383_d1;
-    wire and_387 = lt_384 & delay_7_from_15_out[0];
-    wire [9:0] sub_388 = add_383_d1 - exponent_d1;
-    wire [9:0] select_389 = and_387_d1 ? sub_388 : 10'd0;
-    wire not_398 = not_374;
-    wire [19:0] add_402 = joined_14 + {19'd0, not_398};
-    wire [19:0] min_404 = ($signed(shr_403_d1) < $signed(20'h1ffff)) ? shr_403_d1 : 20'h1ffff;
-    wire [9:0] add_406 = delay_6_from_15_out[19:10] + 10'd126;
-    wire lt_407 = exponent_d1 < add_406_d1;
-    wire and_410 = lt_407 & delay_7_from_15_out[1];
-    wire [9:0] sub_411 = add_406_d1 - exponent_d1;
-    wire [9:0] select_412 = and_410_d1 ? sub_411 : 10'd0;
-    wire not_421 = not_374;
-    wire [19:0] add_425 = joined_14 + {19'd0, not_421};
-    wire [19:0] min_427 = ($signed(shr_426_d1) < $signed(20'h1ffff)) ? shr_426_d1 : 20'h1ffff;
-    wire [9:0] add_429 = delay_5_from_15_out[10:1] + 10'd126;
-    wire lt_430 = exponent_d1 < add_429_d1;
-    wire and_433 = lt_430 & delay_7_from_15_out[2];
-    wire [9:0] sub_434 = add_429_d1 - exponent_d1;
-    wire [9:0] select_435 = and_433_d1 ? sub_434 : 10'd0;
-    wire not_444 = not_374;
-    wire [19:0] add_448 = joined_14 + {19'd0, not_444};
-    wire [19:0] min_450 = ($signed(shr_449_d1) < $signed(20'h1ffff)) ? shr_449_d1 : 20'h1ffff;
-    wire [9:0] add_452 = delay_5_from_15_out[20:11] + 10'd126;
-    wire lt_453 = exponent_d1 < add_452_d1;
-    wire and_456 = lt_453 & delay_6_from_15_out[20];
-    wire [9:0] sub_457 = add_452_d1 - exponent_d1;
-    wire [9:0] select_458 = and_456_d1 ? sub_457 : 10'd0;
-    wire not_467 = not_374;
-    wire [19:0] add_471 = joined_14 + {19'd0, not_467};
-    wire [19:0] min_473 = ($signed(shr_472_d1) < $signed(20'h1ffff)) ? shr_472_d1 : 20'h1ffff;
-    wire [9:0] add_475 = delay_5_from_0_out[37:28] + 10'd126;
-    wire lt_476 = exponent_d1 < add_475_d1;
-    wire and_479 = lt_476 & delay_6_from_0_out[0];
-    wire [9:0] sub_480 = add_475_d1 - exponent_d1;
-    wire [9:0] select_481 = and_479_d1 ? sub_480 : 10'd0;
-    wire not_490 = not_374;
-    wire [19:0] add_494 = joined_14 + {19'd0, not_490};
-    wire [19:0] min_496 = ($signed(shr_495_d1) < $signed(20'h1ffff)) ? shr_495_d1 : 20'h1ffff;
-    wire [9:0] add_498 = add_335_d1 + exponent_d1;
-    wire [9:0] add_499 = resize_336_d6 + 10'd126;
-    wire lt_500 = add_498 < add_499;
-    wire [9:0] sub_504 = add_499 - add_498;
-    wire and_503 = lt_500_d1 & delay_6_from_14_out[0];
-    wire [9:0] select_505 = and_503 ? sub_504_d1 : 10'd0;
-    wire [23:0] joined_15 = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
-    wire not_513 = ~to_fixed_f24_ftz_s23q22_unit_y[22];
-    wire [23:0] add_517 = joined_15 + {23'd0, not_513};
-    wire [23:0] min_520 = ($signed(shr_519_d1) < $signed(24'h1fffff)) ? shr_519_d1 : 24'h1fffff;
-    wire equal_523 = resize_341_d1 == 10'd255;
-    wire equal_524 = joined_12 == 10'd255;
-    wire or_525 = equal_523 | equal_524;
-    wire [9:0] joined_16 = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire equal_526 = joined_16 == 10'd255;
-    wire or_527 = or_525_d1 | equal_526_d1;
-    wire equal_528 = resize_347_d1 == 10'd255;
-    wire or_529 = or_527 | equal_528;
-    wire equal_530 = joined_10 == 10'd255;
-    wire or_531 = or_529_d1 | equal_530;
-    wire equal_532 = joined_9 == 10'd255;
-    wire or_533 = or_531_d1 | equal_532;
-    wire equal_534 = equal_532;
-    wire lt_537 = $signed(resize_521_d1) < $signed(22'd32);
-    wire lt_539 = $signed(22'h3fffe0) < $signed(resize_521_d1);
-    wire vanishes = lt_537 & lt_539;
-    wire edge_on = equal_153_d1 | lt_156_d1;
-    wire not_541 = ~placed_d2;
-    wire or_542 = edge_on | not_541;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_18 = phase[0] ? mul_19_d2 : mul_17_d2;
-    wire [23:0] choice_19 = phase[2] ? (phase[1] ? choice_18 : phase[0] ? scale_x : mul_19_d1) : phase[1] ? mul_f24_ftz_unit_y : scale_x;
-    wire [23:0] choice_20 = phase[1] ? recip_15_d1 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_17_d2 : mul_19_d2) : mul_41_d1;
-    wire [23:0] choice_22 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_23 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_y : mul_29_d1) : choice_22;
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? reinterpret_92_d2 : reinterpret_30_d2) : phase[0] ? reinterpret_16_d2 : add_47_d1;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_41_d1 : mul_97_d1) : phase[0] ? mul_97_d1 : mul_41_d1;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_17_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : mul_17_d1;
-    wire [23:0] choice_27 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_28 = phase[2] ? choice_26 : phase[1] ? choice_27 : phase[0] ? scale_y : recip_25_d1;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? recip_15_d1 : abs_173_d1) : phase[0] ? abs_173_d1 : mul_97_d1;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : phase[0] ? mul_91_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_31 = phase[1] ? choice_27 : phase[0] ? add_f24_ftz_unit_copy2_y : add_114_d1;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? reinterpret_98_d2 : reinterpret_36_d2) : phase[0] ? reinterpret_18_d2 : add_52_d1;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? depth_b : mul_175_d1) : phase[0] ? mul_175_d1 : mul_97_d1;
-    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_19_d2 : mul_167_d3) : phase[0] ? select_182_d1 : mul_19_d1;
-    wire [23:0] choice_35 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : recip_25_d1) : phase[0] ? scale_y : add_22_d2;
-    wire [23:0] choice_36 = phase[0] ? mul_35_d1 : mul_103_d1;
-    wire [23:0] choice_37 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_38 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : sqrt_174_d1) : phase[0] ? add_f24_ftz_unit_copy3_y : recip_25_d1;
-    wire [23:0] choice_39 = phase[1] ? reinterpret_90_d2 : phase[0] ? reinterpret_28_d2 : add_109_d1;
-    wire [23:0] choice_40 = phase[1] ? add_119_d2 : phase[0] ? filter_radius : add_57_d2;
-    wire [23:0] choice_41 = phase[1] ? (phase[0] ? filter_radius : add_44_d2) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_50_d1) : phase[0] ? mul_45_d1 : add_169_d1;
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_37_d1) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_44 = phase[1] ? neg_120_d1 : phase[0] ? add_106_d2 : neg_58_d1;
-    wire [23:0] joined_45 = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] joined_46 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_47 = phase[0] ? joined_46 : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_44_d2 : joined_45) : choice_47;
-    wire [23:0] choice_49 = phase[1] ? (phase[0] ? joined_45 : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_50 = phase[1] ? (phase[0] ? origin_x : joined_45) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_53_d1;
-    wire [23:0] joined_51 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_52 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_53 = phase[2] ? (phase[1] ? joined_51 : add_44_d2) : choice_52;
-    wire [23:0] choice_54 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_93_d1) : phase[0] ? mul_31_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_55 = phase[0] ? {~mul_176_d1[23], mul_176_d1[22:0]} : add_57_d2;
-    wire [23:0] choice_56 = phase[2] ? (phase[1] ? add_106_d2 : joined_51) : phase[1] ? choice_55 : joined_46;
-    wire [23:0] choice_57 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mul_f24_ftz_unit_copy3_y : origin_y;
-    wire [23:0] joined_58 = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-    wire [23:0] choice_59 = phase[1] ? (phase[0] ? origin_y : joined_58) : phase[0] ? joined_46 : mul_115_d1;
-    wire [23:0] choice_60 = phase[2] ? (phase[1] ? select_180_d2 : sqrt_f24_ftz_unit_y) : phase[1] ? add_106_d2 : mul_167_d2;
-    wire [23:0] choice_61 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_99_d1) : mul_99_d1;
-    wire [23:0] choice_62 = phase[2] ? (phase[1] ? mul_167_d2 : select_180_d2) : choice_61;
-    wire [23:0] choice_63 = phase[1] ? {~add_186_d1[23], add_186_d1[22:0]} : add_119_d2;
-    wire [23:0] choice_64 = phase[1] ? (phase[0] ? epsilon_bias : joined_46) : joined_46;
-    wire [23:0] choice_65 = phase[1] ? add_116_d1 : phase[0] ? add_116_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_66 = phase[1] ? 24'h45fff8 : phase[0] ? add_f24_ftz_unit_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_67 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h3f8000;
-    wire [23:0] choice_68 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? add_123_d3 : 24'h45fff8;
-    wire [23:0] choice_69 = phase[1] ? (phase[0] ? add_62_d3 : abs_173_d1) : abs_173_d1;
-    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'd0 : min_f24_ftz_unit_y) : phase[0] ? 24'd0 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_71 = phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_72 = phase[2] ? choice_70 : phase[1] ? choice_71 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_73 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : select_180_d1) : min_f24_ftz_unit_y;
-    wire [23:0] choice_74 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : 24'd0) : phase[0] ? add_f24_ftz_unit_copy3_y : add_125_d3;
-    wire [23:0] choice_75 = phase[1] ? (phase[0] ? add_125_d3 : add_64_d3) : add_64_d3;
-    wire [23:0] choice_76 = phase[2] ? (phase[1] ? add_169_d2 : phase[0] ? add_169_d2 : 24'd0) : 24'd0;
-    wire [23:0] choice_77 = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_78 = phase[1] ? (phase[0] ? add_106_d1 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] choice_79 = phase[1] ? reinterpret_487_d1 : phase[0] ? reinterpret_464_d1 : reinterpret_441_d1;
-    wire [23:0] choice_80 = phase[1] ? (phase[0] ? reinterpret_418_d1 : reinterpret_395_d1) : reinterpret_371_d1;
-    wire [27:0] select_216 = placed_d1 ? resize_215_d1 : 28'h8000000;
-    wire equal_477 = 10'd0 == joined_9;
-    wire not_478 = ~equal_477;
-    wire odd = or_533_d1 | equal_534_d1;
-    wire or_543 = odd | or_542_d1;
-    wire equal_501 = equal_477;
-    wire not_502 = ~equal_501;
-    wire equal_361 = 10'd0 == joined_12;
-    wire not_362 = ~equal_361;
-    wire xor_191 = scale_x[23] ^ scale_y[23];
-    wire xor_192 = bits_190_d1 ^ xor_191;
-    wire or_193 = edge_on | xor_192;
-    wire equal_454 = 10'd0 == joined_10;
-    wire not_455 = ~equal_454;
-    wire equal_431 = 10'd0 == joined_13;
-    wire not_432 = ~equal_431;
-    wire equal_408 = 10'd0 == joined_16;
-    wire not_409 = ~equal_408;
-    wire equal_385 = equal_361;
-    wire not_386 = ~equal_385;
+    wire [17:0] ax_out = covers_nothing ? 18'd0 : ax_out_lesser_d1;
+    wire [17:0] bx_out = covers_nothing ? 18'd0 : bx_out_lesser_d1;
+    wire [17:0] ay_out = covers_nothing ? 18'd0 : ay_out_lesser_d1;
+    wire [17:0] by_out = covers_nothing ? 18'd0 : by_out_lesser_d1;
+    wire [21:0] delta_out = covers_nothing ? 22'd0 : vanishes_lesser_d1;
+    wire [17:0] mx_out = covers_nothing ? 18'd0 : mx_out_lesser_d1;
+    wire [17:0] my_out = covers_nothing ? 18'd0 : my_out_lesser_d1;
+    wire [15:0] attribute_0_d10 = delay_10_from_0_out[15:0];
+    wire [15:0] attribute_1_d10 = delay_10_from_0_out[31:16];
+    wire [15:0] attribute_2_d10 = delay_10_from_0_out[47:32];
+    wire phase_is_15 = phase == 4'd15;
+    wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] last_x_lesser = (22'd128 < last_x_shifted_d1) ? 22'd128 : last_x_shifted_d1;
+    wire [6:0] first_x = first_x_shifted_d1_shifted[6:0];
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [6:0] last_x = last_x_lesser_minus_1[6:0];
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd128) ? last_y_shifted_d1 : 22'd128;
+    wire [6:0] first_y = first_y_shifted_d1_shifted[6:0];
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
+    wire [6:0] last_y = last_y_lesser_minus_1[6:0];
+    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_bits_d1};
+    wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
+    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d1 : half_depth_lesser_d1;
+    wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
+    wire visible_both = occupied_x & center_depth_up_to_one_d1;
+    wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
+    wire occupied_y_and_visible_both = occupied_y & visible_both_d1;
+    wire edge_on_or_visible_unequal_d5 = delay_5_from_15_out[0];
+    wire visible = occupied_y_and_visible_both_d1 & edge_on_or_visible_unequal_d5;
+    wire end_or_visible = delay_9_from_0_out | visible;
+    wire [9:0] my_bits_is_255_bits = {2'd0, add_f24_ftz_unit_y[22:15]};
+    wire center_x_bits_below_140 = my_bits_is_255_bits < 10'd140;
+    wire [9:0] mx_bits_is_255_bits = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire center_y_bits_below_140 = mx_bits_is_255_bits < 10'd140;
+    wire placed = center_x_bits_below_140 & center_y_bits_below_140;
+    wire [29:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
+    wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s29q15_unit_y[28];
+    wire [29:0] center_x_out_sum = center_y_out_sum_bits + {29'd0, not_center_x_fixed_sign};
+    wire [29:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(30'h7ffffff)) ? center_x_out_shifted_d1 : 30'h7ffffff;
+    wire [27:0] center_x_out_d5 = delay_5_from_0_out[27:0];
+    wire not_center_y_fixed_sign = not_center_x_fixed_sign;
+    wire [29:0] center_y_out_sum = center_y_out_sum_bits + {29'd0, not_center_y_fixed_sign};
+    wire [29:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(30'h7ffffff)) ? center_y_out_shifted_d1 : 30'h7ffffff;
+    wire [27:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 28'h8000000;
+    wire [28:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
+    wire [28:0] last_x_plus_1 = 29'd1 + {22'd0, last_x_d1};
+    wire [28:0] shift_difference_copy2 = shift_shifted_d1_copy2 - center_x_out_d1;
+    wire [28:0] not_shift_difference = ~shift_difference_d1;
+    wire [28:0] shift_chosen = shift_difference_d1[28] ? not_shift_difference : shift_difference_d1;
+    wire [28:0] not_shift_difference_copy2 = ~shift_difference_copy2;
+    wire [28:0] shift_difference_copy3 = shift_shifted_d1_copy3 - center_y_out_d1_copy2;
+    wire [28:0] last_y_plus_1 = 29'd1 + {22'd0, last_y_d1};
+    wire [28:0] shift_difference_copy4 = shift_shifted_d1_copy4 - center_y_out_d1_copy2;
+    wire [28:0] not_shift_difference_copy3 = ~shift_difference_d1_copy3;
+    wire [28:0] shift_chosen_copy3 = shift_difference_d1_copy3[28] ? not_shift_difference_copy3 : shift_difference_d1_copy3;
+    wire [28:0] shift_chosen_copy2 = shift_difference_d1_copy2[28] ? not_shift_difference_d1 : shift_difference_d1_copy2;
+    wire [27:0] shift_either = shift_chosen_bits_d1 | shift_chosen_copy2[27:0];
+    wire [27:0] shift_either_copy2 = shift_either | shift_chosen_bits_d1_copy2;
+    wire [28:0] not_shift_difference_copy4 = ~shift_difference_copy4;
+    wire [28:0] shift_chosen_copy4 = shift_difference_d1_copy4[28] ? not_shift_difference_d1_copy2 : shift_difference_d1_copy4;
+    wire [27:0] shift_either_copy3 = shift_either_d1 | shift_chosen_copy4[27:0];
+    wire shift_either_bits_is_zero = shift_either_bits_d1 == 11'd0;
+    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
+    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy2 == 10'd0;
+    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
+    wire zero_is_shift_either_bits = 9'd0 == shift_either_bits_d1_copy3;
+    wire not_zero_is_shift_either_bits = ~zero_is_shift_either_bits;
+    wire [3:0] shift_chosen_copy5 = not_shift_either_bits_is_zero_d1 ? 4'd1 : 4'd0;
+    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd2 : shift_chosen_copy5;
+    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1 ? 4'd3 : shift_chosen_copy6;
+    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy4 == 8'd0;
+    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
+    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy5 == 7'd0;
+    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
+    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy6 == 6'd0;
+    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
+    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd4 : shift_chosen_d1;
+    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd5 : shift_chosen_copy8;
+    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd6 : shift_chosen_copy9;
+    wire shift_either_bits_is_zero_copy6 = shift_either_bits_d1_copy7 == 5'd0;
+    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_copy6;
+    wire zero_is_shift_either_bits_copy2 = 4'd0 == shift_either_bits_d1_copy8;
+    wire not_zero_is_shift_either_bits_copy2 = ~zero_is_shift_either_bits_copy2;
+    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[27:25] == 3'd0;
+    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1;
+    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy6 ? 4'd7 : shift_chosen_d1_copy2;
+    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd8 : shift_chosen_copy11;
+    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy7 ? 4'd9 : shift_chosen_copy12;
+    wire shift_either_bits_is_zero_copy8 = shift_either_copy3[27:26] == 2'd0;
+    wire shift_either_sign_is_zero = ~shift_either_copy3[27];
+    wire not_shift_either_sign_is_zero = ~shift_either_sign_is_zero_d1;
+    wire not_shift_either_bits_is_zero_copy8 = ~shift_either_bits_is_zero_d1_copy2;
+    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy8 ? 4'd10 : shift_chosen_d1_copy3;
+    wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
+    wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
+    wire [9:0] delta_bits_d5 = delay_5_from_14_out[10:1];
+    wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d5;
+    wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d5 - shift_plus_4_d1;
+    wire [9:0] exponent_chosen = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
+    wire [9:0] a_x_bits_d1_bits = {2'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [9:0] b_y_bits_d1_bits = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [9:0] b_y_bits_d6 = delay_5_from_15_out[10:1];
+    wire [9:0] mx_bits_d5 = delay_5_from_15_out[20:11];
+    wire [9:0] my_bits_d5 = delay_5_from_0_out[37:28];
+    wire [9:0] a_x_bits_d6 = delay_5_from_14_out[20:11];
+    wire [9:0] exponent_greater = (exponent_chosen_d1 < a_x_bits_d6) ? a_x_bits_d6 : exponent_chosen_d1;
+    wire [9:0] b_x_bits_d6 = delay_6_from_15_out[9:0];
+    wire [9:0] exponent_greater_copy2 = (b_x_bits_d6 < exponent_greater_d1) ? exponent_greater_d1 : b_x_bits_d6;
+    wire [9:0] a_y_bits_d6 = delay_6_from_15_out[19:10];
+    wire [9:0] exponent_greater_copy3 = (a_y_bits_d6 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : a_y_bits_d6;
+    wire [9:0] exponent_greater_copy4 = (b_y_bits_d7 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : b_y_bits_d7;
+    wire [9:0] exponent_greater_copy5 = (mx_bits_d6 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d6;
+    wire [9:0] exponent = (my_bits_d6 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d6;
+    wire [9:0] a_x_bits_plus_126 = a_x_bits_d6 + 10'd126;
+    wire ax_out_in_order = exponent_d1 < a_x_bits_plus_126_d1;
+    wire ax_out_both = ax_out_in_order & delay_7_from_14_out;
+    wire a_x_sign_d6 = delay_6_from_4_out[0];
+    wire [9:0] ax_out_difference = a_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
+    wire [14:0] a_x_bits_d6_copy2 = delay_6_from_4_out[15:1];
+    wire [19:0] ax_out_sum_bits = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
+    wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s19q18_unit_y[18];
+    wire [19:0] ax_out_sum = ax_out_sum_bits + {19'd0, not_ax_out_joined_fixed_sign};
+    wire [19:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(20'h1ffff)) ? ax_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] b_x_bits_plus_126 = b_x_bits_d6 + 10'd126;
+    wire bx_out_in_order = exponent_d1 < b_x_bits_plus_126_d1;
+    wire not_zero_is_b_x_bits_d7 = delay_7_from_15_out[0];
+    wire bx_out_both = bx_out_in_order & not_zero_is_b_x_bits_d7;
+    wire b_x_sign_d6 = delay_6_from_4_out[16];
+    wire [9:0] bx_out_difference = b_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
+    wire [14:0] b_x_bits_d6_copy2 = delay_6_from_4_out[31:17];
+    wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [19:0] bx_out_sum = ax_out_sum_bits + {19'd0, not_bx_out_joined_fixed_sign};
+    wire [19:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(20'h1ffff)) ? bx_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] a_y_bits_plus_126 = a_y_bits_d6 + 10'd126;
+    wire ay_out_in_order = exponent_d1 < a_y_bits_plus_126_d1;
+    wire not_zero_is_a_y_bits_d7 = delay_7_from_15_out[1];
+    wire ay_out_both = ay_out_in_order & not_zero_is_a_y_bits_d7;
+    wire a_y_sign_d6 = delay_6_from_4_out[32];
+    wire [9:0] ay_out_difference = a_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
+    wire [14:0] a_y_bits_d6_copy2 = delay_6_from_4_out[47:33];
+    wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [19:0] ay_out_sum = ax_out_sum_bits + {19'd0, not_ay_out_joined_fixed_sign};
+    wire [19:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(20'h1ffff)) ? ay_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] b_y_bits_plus_126 = b_y_bits_d6 + 10'd126;
+    wire by_out_in_order = exponent_d1 < b_y_bits_plus_126_d1;
+    wire not_zero_is_b_y_bits_d7 = delay_7_from_15_out[2];
+    wire by_out_both = by_out_in_order & not_zero_is_b_y_bits_d7;
+    wire b_y_sign_d6 = delay_6_from_4_out[48];
+    wire [9:0] by_out_difference = b_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
+    wire [14:0] b_y_bits_d6_copy2 = delay_6_from_4_out[63:49];
+    wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [19:0] by_out_sum = ax_out_sum_bits + {19'd0, not_by_out_joined_fixed_sign};
+    wire [19:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(20'h1ffff)) ? by_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] mx_bits_plus_126 = mx_bits_d5 + 10'd126;
+    wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
+    wire not_zero_is_mx_bits_d6 = delay_6_from_15_out[20];
+    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d6;
+    wire mx_sign_d6 = delay_6_from_15_out[21];
+    wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
+    wire [14:0] mx_bits_d6_copy2 = delay_6_from_15_out[36:22];
+    wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [19:0] mx_out_sum = ax_out_sum_bits + {19'd0, not_mx_out_joined_fixed_sign};
+    wire [19:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(20'h1ffff)) ? mx_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] my_bits_plus_126 = my_bits_d5 + 10'd126;
+    wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
+    wire not_zero_is_my_bits_d6 = delay_6_from_0_out[0];
+    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d6;
+    wire my_sign_d6 = delay_6_from_0_out[1];
+    wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
+    wire [14:0] my_bits_d6_copy2 = delay_6_from_0_out[16:2];
+    wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
+    wire [19:0] my_out_sum = ax_out_sum_bits + {19'd0, not_my_out_joined_fixed_sign};
+    wire [19:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(20'h1ffff)) ? my_out_shifted_d1 : 20'h1ffff;
+    wire [9:0] shift_plus_4_plus_exponent = shift_plus_4_d1 + exponent_d1;
+    wire [9:0] delta_bits_plus_126 = delta_bits_d6 + 10'd126;
+    wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
+    wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
+    wire delta_sign_d6 = delay_5_from_14_out[0];
+    wire not_zero_is_delta_bits_d6 = delay_6_from_14_out[0];
+    wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d6;
+    wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
+    wire [14:0] delta_bits_d6_copy2 = delay_6_from_14_out[15:1];
+    wire [23:0] vanishes_sum_bits = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
+    wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s23q22_unit_y[22];
+    wire [23:0] vanishes_sum = vanishes_sum_bits + {23'd0, not_vanishes_joined_fixed_sign};
+    wire [23:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(24'h1fffff)) ? vanishes_shifted_d1 : 24'h1fffff;
+    wire a_x_bits_is_255 = a_x_bits_d1 == 10'd255;
+    wire b_x_bits_is_255 = a_x_bits_d1_bits == 10'd255;
+    wire odd_either = a_x_bits_is_255 | b_x_bits_is_255;
+    wire [9:0] a_y_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire a_y_bits_is_255 = a_y_bits_is_255_bits == 10'd255;
+    wire odd_either_or_a_y_bits_is_255 = odd_either_d1 | a_y_bits_is_255_d1;
+    wire b_y_bits_is_255 = b_y_bits_d1 == 10'd255;
+    wire odd_either_copy2 = odd_either_or_a_y_bits_is_255 | b_y_bits_is_255;
+    wire mx_bits_is_255 = mx_bits_is_255_bits == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_d1_copy2 | mx_bits_is_255;
+    wire my_bits_is_255 = my_bits_is_255_bits == 10'd255;
+    wire odd_either_copy3 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255;
+    wire delta_bits_is_255 = my_bits_is_255;
+    wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(22'd32);
+    wire vanishes_in_order_copy3 = $signed(22'h3fffe0) < $signed(vanishes_lesser_d1);
+    wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
+    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire not_placed = ~placed_d2;
+    wire edge_on_or_not_placed = edge_on | not_placed;
+    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[0] ? beta_d2 : alpha_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? mul_f24_ftz_unit_a_choice : phase[0] ? scale_x : beta_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[2] ? mul_f24_ftz_unit_a_choice_2 : phase[1] ? mul_f24_ftz_unit_y : scale_x;
+    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[1] ? r_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_a_choice_5 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : phase[1] ? (phase[0] ? alpha_d2 : beta_d2) : b_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_y : v_x_d1) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent1_y_d2 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : t_x_sum_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? b_x_d1 : a_y_d1) : phase[0] ? a_y_d1 : b_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? alpha_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : alpha_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : phase[0] ? scale_y : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? (phase[0] ? r_d1 : abs_b_depth_d1) : phase[0] ? abs_b_depth_d1 : a_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy2_y : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? tangent2_y_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : a_x_squared_plus_b_x_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? (phase[0] ? depth_b : f_times_root_of_q_d1) : phase[0] ? f_times_root_of_q_d1 : a_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_5 : mul_f24_ftz_unit_copy2_b_choice_6;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? beta_d2 : b_depth_d3) : phase[0] ? half_depth_d1 : beta_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : f_d1) : phase[0] ? scale_y : q_d2;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[0] ? a_x_d1 : b_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_copy3_a_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : root_of_q_d1) : phase[0] ? add_f24_ftz_unit_copy3_y : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? (phase[1] ? center_y_d2 : phase[0] ? center_x_d2 : t_y_sum_d1) : phase[1] ? mul_f24_ftz_unit_copy3_a_choice_4 : b_y_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? center_y_minus_t_y_d2 : phase[0] ? filter_radius : center_x_minus_t_x_d2;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_d2_copy2) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_squared_d1) : phase[0] ? alpha_times_a_x_d1 : center_depth_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : r_times_tangent2_x_d1) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_6 = phase[2] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? minus_h_y_d1 : phase[0] ? center_y_d2_copy2 : minus_h_x_d1;
+    wire [23:0] minus_mul_f24_ftz_unit_y = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy3_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_x_d2_copy2 : minus_mul_f24_ftz_unit_y) : add_f24_ftz_unit_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_y : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? origin_x : minus_mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[2] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_6;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? (phase[1] ? minus_filter_radius : center_x_d2_copy2) : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : r_times_tangent1_y_d1) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy2_a_choice_3;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_x_minus_t_x_d2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? (phase[1] ? center_y_d2_copy2 : minus_filter_radius) : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mul_f24_ftz_unit_copy3_y : origin_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[0] ? origin_y : {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_5 : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_6;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[2] ? (phase[1] ? middle_depth_d2 : sqrt_f24_ftz_unit_y) : phase[1] ? center_y_d2_copy2 : b_depth_d2;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : r_times_tangent2_y_d1) : r_times_tangent2_y_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? (phase[1] ? b_depth_d2 : middle_depth_d2) : add_f24_ftz_unit_copy3_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? {~epsilon_d1[23], epsilon_d1[22:0]} : center_y_minus_t_y_d2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[2] ? add_f24_ftz_unit_copy3_b_choice : phase[1] ? minus_mul_f24_ftz_unit_copy3_y : depth_a;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? epsilon_bias : minus_mul_f24_ftz_unit_copy3_y) : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? (phase[1] ? depth_a : epsilon_d1) : add_f24_ftz_unit_copy3_b_choice_3;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? t_y_squared_plus_h_y_product_d1 : phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_y;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[2] ? t_y_squared_plus_h_y_product_d1 : sqrt_f24_ftz_unit_a_choice;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? 24'h45fff8 : phase[0] ? add_f24_ftz_unit_y : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_3 = phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? center_y_minus_filter_radius_d3 : 24'h45fff8;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? center_x_minus_filter_radius_d3 : abs_b_depth_d1) : abs_b_depth_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'd0 : min_f24_ftz_unit_y) : phase[0] ? 24'd0 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[2] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_a_choice_2;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d1) : min_f24_ftz_unit_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy3_y : filter_radius_plus_center_y_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : 24'd0) : max_f24_ftz_unit_b_choice_2;
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[1] ? max_f24_ftz_unit_b_choice_4 : filter_radius_plus_center_x_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_6 = phase[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
+    wire [23:0] le_f24_ftz_unit_a_choice = phase[2] ? (phase[1] ? center_depth_d2 : phase[0] ? center_depth_d2 : 24'd0) : 24'd0;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice = phase[1] ? (phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice_2 = phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s29q15_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = phase[2] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : ax_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = phase[2] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : ax_out_joined_d1;
+    wire [27:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 28'h8000000;
+    wire zero_is_my_bits = 10'd0 == my_bits_is_255_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
+    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d1;
+    wire zero_is_delta_bits = zero_is_my_bits;
+    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
+    wire zero_is_a_x_bits = 10'd0 == a_x_bits_d1_bits;
+    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire visible_unequal = scale_x[23] ^ scale_y[23];
+    wire visible_unequal_copy2 = delta_sign_d1 ^ visible_unequal;
+    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
+    wire zero_is_mx_bits = 10'd0 == mx_bits_is_255_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire zero_is_b_y_bits = 10'd0 == b_y_bits_d1_bits;
+    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
+    wire zero_is_a_y_bits = 10'd0 == a_y_bits_is_255_bits;
+    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
+    wire zero_is_b_x_bits = zero_is_a_x_bits;
+    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -5342,13 +5239,11 @@ module splat_setup (
     } = queue_out_data;
 
     stream_skid_w339 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d10, select_216_d7, select_227_d6, select_546, select_547, select_548, select_549, select_551,
-            select_552, select_553, shift_d2, to_fixed_555_d3, to_fixed_559_d2, to_fixed_562_d1,
-            delay_10_from_0_out[15:0], delay_10_from_0_out[31:16], delay_10_from_0_out[47:32], resize_85_d3,
-            resize_86_d2, resize_140_d3, resize_141_d2
+            end_d10, center_x_out_d7, center_y_out_d6, ax_out, bx_out, ay_out, by_out, delta_out, mx_out, my_out,
+            shift_d2, depth_out_d3, depth_low_out_d2, depth_high_out_d1, attribute_0_d10, attribute_1_d10,
+            attribute_2_d10, first_x_d3, last_x_d2, first_y_d3, last_y_d2
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -5422,7 +5317,7 @@ module splat_setup (
     );
 
     float_to_fixed_s3_f24ftz_w23_f22_signed to_fixed_f24_ftz_s23q22_unit (
-        .clk(clk), .enable(queue_in_ready), .a(reinterpret_510_d1), .y(to_fixed_f24_ftz_s23q22_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(vanishes_joined_d1), .y(to_fixed_f24_ftz_s23q22_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
@@ -5508,294 +5403,294 @@ module splat_setup (
     always @(posedge clk) begin
         if (load_0) begin
             end_d10 <= delay_9_from_0_out;
-            reinterpret_16_d1 <= in_tangent1_z;
-            reinterpret_16_d2 <= reinterpret_16_d1;
-            reinterpret_18_d1 <= in_tangent2_z;
-            reinterpret_18_d2 <= reinterpret_18_d1;
-            reinterpret_28_d1 <= in_center_x;
-            reinterpret_28_d2 <= reinterpret_28_d1;
-            reinterpret_30_d1 <= in_tangent1_x;
-            reinterpret_30_d2 <= reinterpret_30_d1;
-            reinterpret_36_d1 <= in_tangent2_x;
-            reinterpret_36_d2 <= reinterpret_36_d1;
-            resize_86_d1 <= sub_84[6:0];
-            resize_86_d2 <= resize_86_d1;
-            reinterpret_90_d1 <= in_center_y;
-            reinterpret_90_d2 <= reinterpret_90_d1;
-            reinterpret_92_d1 <= in_tangent1_y;
-            reinterpret_92_d2 <= reinterpret_92_d1;
-            reinterpret_98_d1 <= in_tangent2_y;
-            reinterpret_98_d2 <= reinterpret_98_d1;
-            shr_137_d1 <= add_136 >> 8;
-            mul_175_d1 <= mul_f24_ftz_unit_copy3_y;
-            le_187_d1 <= le_f24_ftz_unit_y;
-            and_188_d1 <= and_188;
-            select_216_d6 <= delay_5_from_0_out[27:0];
-            select_216_d7 <= select_216_d6;
-            resize_226_d1 <= min_225[27:0];
-            select_227_d1 <= select_227;
-            select_227_d2 <= select_227_d1;
-            select_227_d3 <= select_227_d2;
-            select_227_d4 <= select_227_d3;
-            select_227_d5 <= select_227_d4;
-            select_227_d6 <= select_227_d5;
-            sub_254_d1 <= sub_254;
-            resize_351_d6 <= delay_5_from_0_out[37:28];
-            max_355_d1 <= max_355;
-            or_529_d1 <= or_529;
-            or_533_d1 <= or_533;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
+            tangent2_z_d1 <= in_tangent2_z;
+            tangent2_z_d2 <= tangent2_z_d1;
+            center_x_d1 <= in_center_x;
+            center_x_d2 <= center_x_d1;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_x_d2 <= tangent1_x_d1;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_x_d2 <= tangent2_x_d1;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            center_y_d1 <= in_center_y;
+            center_y_d2 <= center_y_d1;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_y_d2 <= tangent1_y_d1;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_y_d2 <= tangent2_y_d1;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            f_times_root_of_q_d1 <= mul_f24_ftz_unit_copy3_y;
+            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
+            visible_both_d1 <= visible_both;
+            center_x_out_d6 <= center_x_out_d5;
+            center_x_out_d7 <= center_x_out_d6;
+            center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
+            center_y_out_d1 <= center_y_out;
+            center_y_out_d2 <= center_y_out_d1;
+            center_y_out_d3 <= center_y_out_d2;
+            center_y_out_d4 <= center_y_out_d3;
+            center_y_out_d5 <= center_y_out_d4;
+            center_y_out_d6 <= center_y_out_d5;
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            my_bits_d6 <= my_bits_d5;
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+            odd_either_d1_copy2 <= odd_either_copy2;
+            odd_either_d1_copy3 <= odd_either_copy3;
         end
         if (load_5) begin
-            recip_15_d1 <= recip_f24_ftz_unit_y;
-            add_123_d1 <= add_f24_ftz_unit_copy2_y;
-            add_123_d2 <= add_123_d1;
-            add_123_d3 <= add_123_d2;
-            select_180_d1 <= select_180;
-            select_180_d2 <= select_180_d1;
-            min_181_d1 <= min_f24_ftz_unit_y;
-            select_182_d1 <= select_182;
-            bits_269_d1 <= or_267[27:17];
-            bits_275_d1 <= or_267[27:18];
-            bits_281_d1 <= or_267[27:19];
-            bits_286_d1 <= or_267[27:20];
-            bits_292_d1 <= or_267[27:21];
-            bits_298_d1 <= or_267[27:22];
-            bits_304_d1 <= or_267[27:23];
-            bits_310_d1 <= or_267[27:24];
-            equal_317_d1 <= equal_317;
-            equal_323_d1 <= equal_323;
-            equal_329_d1 <= equal_329;
+            r_d1 <= recip_f24_ftz_unit_y;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
+            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            half_depth_d1 <= half_depth;
+            shift_either_bits_d1 <= shift_either_copy3[27:17];
+            shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
+            shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
+            shift_either_bits_d1_copy4 <= shift_either_copy3[27:20];
+            shift_either_bits_d1_copy5 <= shift_either_copy3[27:21];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy7;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy8;
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
         end
         if (load_11) begin
-            mul_17_d1 <= mul_f24_ftz_unit_y;
-            mul_17_d2 <= mul_17_d1;
-            mul_19_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_19_d2 <= mul_19_d1;
-            mul_29_d1 <= mul_f24_ftz_unit_copy3_y;
-            add_172_d1 <= add_f24_ftz_unit_y;
-            sqrt_174_d1 <= sqrt_f24_ftz_unit_y;
-            add_335_d1 <= add_335;
-            resize_405_d1 <= min_404[17:0];
-            shr_426_d1 <= {add_425[19], add_425[19:1]};
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
+            shift_plus_4_d1 <= shift_plus_4;
+            bx_out_lesser_d1 <= bx_out_lesser[17:0];
+            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
         end
         if (load_8) begin
-            add_22_d1 <= add_f24_ftz_unit_y;
-            add_22_d2 <= add_22_d1;
-            select_303_d1 <= select_303;
-            shr_519_d1 <= {add_517[23], add_517[23:1]};
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
         end
         if (load_4) begin
-            recip_25_d1 <= recip_f24_ftz_unit_y;
-            mul_45_d1 <= mul_f24_ftz_unit_y;
-            mul_50_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_125_d1 <= add_f24_ftz_unit_y;
-            add_125_d2 <= add_125_d1;
-            add_125_d3 <= add_125_d2;
-            resize_253_d1 <= {select_227_d4[27], select_227_d4};
-            sub_257_d1 <= sub_257;
-            not_264_d1 <= not_264;
-            add_359_d1 <= add_359;
-            reinterpret_371_d1 <= {delay_6_from_4_out[0], select_365[7:0], delay_6_from_4_out[15:1]};
-            add_383_d1 <= add_383;
-            reinterpret_395_d1 <= {delay_6_from_4_out[16], select_389[7:0], delay_6_from_4_out[31:17]};
-            add_406_d1 <= add_406;
-            reinterpret_418_d1 <= {delay_6_from_4_out[32], select_412[7:0], delay_6_from_4_out[47:33]};
-            add_429_d1 <= add_429;
-            reinterpret_441_d1 <= {delay_6_from_4_out[48], select_435[7:0], delay_6_from_4_out[63:49]};
-            add_452_d1 <= add_452;
-            reinterpret_464_d1 <= {delay_6_from_15_out[21], select_458[7:0], delay_6_from_15_out[36:22]};
-            add_475_d1 <= add_475;
-            reinterpret_487_d1 <= {delay_6_from_0_out[1], select_481[7:0], delay_6_from_0_out[16:2]};
-            reinterpret_510_d1 <= {delay_5_from_14_out[0], select_505[7:0], delay_6_from_14_out[15:1]};
+            f_d1 <= recip_f24_ftz_unit_y;
+            alpha_times_a_x_d1 <= mul_f24_ftz_unit_y;
+            a_x_squared_d1 <= mul_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_y;
+            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
+            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
+            center_y_out_d1_copy2 <= {center_y_out_d4[27], center_y_out_d4};
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+            a_x_bits_plus_126_d1 <= a_x_bits_plus_126;
+            ax_out_joined_d1 <= {a_x_sign_d6, ax_out_chosen[7:0], a_x_bits_d6_copy2};
+            b_x_bits_plus_126_d1 <= b_x_bits_plus_126;
+            bx_out_joined_d1 <= {b_x_sign_d6, bx_out_chosen[7:0], b_x_bits_d6_copy2};
+            a_y_bits_plus_126_d1 <= a_y_bits_plus_126;
+            ay_out_joined_d1 <= {a_y_sign_d6, ay_out_chosen[7:0], a_y_bits_d6_copy2};
+            b_y_bits_plus_126_d1 <= b_y_bits_plus_126;
+            by_out_joined_d1 <= {b_y_sign_d6, by_out_chosen[7:0], b_y_bits_d6_copy2};
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d6, mx_out_chosen[7:0], mx_bits_d6_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d6, my_out_chosen[7:0], my_bits_d6_copy2};
+            vanishes_joined_d1 <= {delta_sign_d6, vanishes_chosen[7:0], delta_bits_d6_copy2};
         end
         if (load_12) begin
-            mul_31_d1 <= mul_f24_ftz_unit_y;
-            mul_37_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_47_d1 <= add_f24_ftz_unit_y;
-            mul_91_d1 <= mul_f24_ftz_unit_copy3_y;
-            add_109_d1 <= add_f24_ftz_unit_copy2_y;
-            neg_120_d1 <= joined_5;
-            select_339_d1 <= select_339;
-            resize_428_d1 <= min_427[17:0];
-            shr_449_d1 <= {add_448[19], add_448[19:1]};
-            to_fixed_559_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_559_d2 <= to_fixed_559_d1;
+            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_y;
+            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            v_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            exponent_chosen_d1 <= exponent_chosen;
+            ay_out_lesser_d1 <= ay_out_lesser[17:0];
+            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
         end
         if (load_14) begin
-            mul_35_d1 <= mul_f24_ftz_unit_y;
-            shr_80_d1 <= add_79 >> 8;
-            mul_115_d1 <= mul_f24_ftz_unit_copy2_y;
-            equal_153_d1 <= equal_153;
-            lt_156_d1 <= lt_156;
-            bits_190_d1 <= add_f24_ftz_unit_y[23];
-            shr_213_d1 <= {add_211[29], add_211[29:1]};
-            sub_235_d1 <= sub_235;
-            resize_336_d6 <= delay_5_from_14_out[10:1];
-            resize_341_d1 <= joined_12;
-            max_353_d1 <= max_353;
-            resize_474_d1 <= min_473[17:0];
-            shr_495_d1 <= {add_494[19], add_494[19:1]};
-            equal_534_d1 <= equal_534;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            delta_bits_is_zero_d1 <= delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            delta_sign_d1 <= add_f24_ftz_unit_y[23];
+            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
+            shift_difference_d1 <= shift_difference;
+            delta_bits_d6 <= delta_bits_d5;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[17:0];
+            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
+            delta_bits_is_255_d1 <= delta_bits_is_255;
         end
         if (load_15) begin
-            mul_41_d1 <= mul_f24_ftz_unit_y;
-            min_82_d1 <= min_82;
-            mul_97_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_103_d1 <= mul_f24_ftz_unit_copy3_y;
-            shr_131_d1 <= shifted_7;
-            resize_140_d1 <= shifted_7[6:0];
-            resize_140_d2 <= resize_140_d1;
-            resize_140_d3 <= resize_140_d2;
-            resize_215_d1 <= min_214[27:0];
-            shr_224_d1 <= {add_223[29], add_223[29:1]};
-            bits_242_d1 <= select_241[27:0];
-            reinterpret_252_d1 <= {22'd0, shifted_7[6:0]} << 14;
-            resize_347_d1 <= joined_13;
-            resize_347_d7 <= delay_5_from_15_out[10:1];
-            resize_349_d6 <= delay_5_from_15_out[20:11];
-            max_354_d1 <= max_354;
-            resize_497_d1 <= min_496[17:0];
-            or_525_d1 <= or_525;
-            equal_526_d1 <= equal_526;
-            or_531_d1 <= or_531;
-            or_542_d1 <= or_542;
+            b_x_d1 <= mul_f24_ftz_unit_y;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
+            first_y_d3 <= first_y_d2;
+            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
+            shift_chosen_bits_d1 <= shift_chosen[27:0];
+            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d7 <= b_y_bits_d6;
+            mx_bits_d6 <= mx_bits_d5;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[17:0];
+            odd_either_d1 <= odd_either;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
         end
         if (load_10) begin
-            add_44_d1 <= add_f24_ftz_unit_y;
-            add_44_d2 <= add_44_d1;
-            mul_53_d1 <= mul_f24_ftz_unit_copy2_y;
-            neg_58_d1 <= joined_5;
-            add_106_d1 <= add_f24_ftz_unit_copy2_y;
-            add_106_d2 <= add_106_d1;
-            add_186_d1 <= add_f24_ftz_unit_copy3_y;
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            minus_h_x_d1 <= minus_sqrt_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            epsilon_d1 <= add_f24_ftz_unit_copy3_y;
             placed_d1 <= placed;
             placed_d2 <= placed_d1;
             shift_d1 <= shift;
             shift_d2 <= shift_d1;
-            resize_382_d1 <= min_381[17:0];
-            shr_403_d1 <= {add_402[19], add_402[19:1]};
+            ax_out_lesser_d1 <= ax_out_lesser[17:0];
+            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
             vanishes_d1 <= vanishes;
         end
         if (load_13) begin
-            add_52_d1 <= add_f24_ftz_unit_y;
-            shr_72_d1 <= shifted_6;
-            resize_85_d1 <= shifted_6[6:0];
-            resize_85_d2 <= resize_85_d1;
-            resize_85_d3 <= resize_85_d2;
-            mul_93_d1 <= mul_f24_ftz_unit_y;
-            mul_99_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_114_d1 <= add_f24_ftz_unit_copy2_y;
-            add_169_d1 <= add_f24_ftz_unit_copy3_y;
-            add_169_d2 <= add_169_d1;
-            reinterpret_233_d1 <= {22'd0, shifted_6[6:0]} << 14;
-            max_352_d1 <= max_352;
-            resize_451_d1 <= min_450[17:0];
-            shr_472_d1 <= {add_471[19], add_471[19:1]};
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_y;
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_y;
+            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            center_depth_d1 <= add_f24_ftz_unit_copy3_y;
+            center_depth_d2 <= center_depth_d1;
+            shift_shifted_d1 <= {22'd0, first_x} << 14;
+            exponent_greater_d1 <= exponent_greater;
+            by_out_lesser_d1 <= by_out_lesser[17:0];
+            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
         end
         if (load_1) begin
-            add_57_d1 <= add_f24_ftz_unit_y;
-            add_57_d2 <= add_57_d1;
-            add_119_d1 <= add_f24_ftz_unit_copy3_y;
-            add_119_d2 <= add_119_d1;
-            min_138_d1 <= min_138;
-            reinterpret_237_d1 <= add_230 << 14;
-            bits_261_d1 <= select_260[27:0];
-            max_356_d1 <= max_356;
-            to_fixed_555_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_555_d2 <= to_fixed_555_d1;
-            to_fixed_555_d3 <= to_fixed_555_d2;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            last_y_lesser_d1 <= last_y_lesser;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
         end
         if (load_3) begin
-            add_62_d1 <= add_f24_ftz_unit_copy2_y;
-            add_62_d2 <= add_62_d1;
-            add_62_d3 <= add_62_d2;
-            or_195_d1 <= or_195;
-            or_195_d2 <= or_195_d1;
-            reinterpret_256_d1 <= add_249 << 14;
-            or_262_d1 <= or_262;
-            and_363_d1 <= and_363;
-            and_387_d1 <= and_387;
-            and_410_d1 <= and_410;
-            and_433_d1 <= and_433;
-            and_456_d1 <= and_456;
-            and_479_d1 <= and_479;
-            lt_500_d1 <= lt_500;
-            sub_504_d1 <= sub_504;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
+            center_x_minus_filter_radius_d3 <= center_x_minus_filter_radius_d2;
+            end_or_visible_d1 <= end_or_visible;
+            end_or_visible_d2 <= end_or_visible_d1;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
+            shift_either_d1 <= shift_either_copy2;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            ay_out_both_d1 <= ay_out_both;
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
         end
         if (load_2) begin
-            add_64_d1 <= add_f24_ftz_unit_y;
-            add_64_d2 <= add_64_d1;
-            add_64_d3 <= add_64_d2;
-            resize_141_d1 <= sub_139[6:0];
-            resize_141_d2 <= resize_141_d1;
-            abs_173_d1 <= {1'd0, mul_167_d2[22:0]};
-            and_189_d1 <= and_189;
-            resize_234_d1 <= {delay_5_from_0_out[27], delay_5_from_0_out[27:0]};
-            sub_238_d1 <= sub_238;
-            not_244_d1 <= not_244;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_y;
+            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
+            filter_radius_plus_center_x_d3 <= filter_radius_plus_center_x_d2;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
+            occupied_y_and_visible_both_d1 <= occupied_y_and_visible_both;
+            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
             exponent_d1 <= exponent;
-            to_fixed_562_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
         if (load_7) begin
-            add_116_d1 <= add_f24_ftz_unit_copy2_y;
-            bits_154_d1 <= mul_f24_ftz_unit_copy3_y[22:15];
-            mul_176_d1 <= mul_f24_ftz_unit_copy2_y;
-            select_285_d1 <= select_285;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
+            a_x_times_b_y_bits_d1 <= mul_f24_ftz_unit_copy3_y[22:15];
+            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
+            shift_chosen_d1 <= shift_chosen_copy7;
         end
         if (load_9) begin
-            mul_167_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_167_d2 <= mul_167_d1;
-            mul_167_d3 <= mul_167_d2;
-            select_320_d1 <= select_320;
-            shr_380_d1 <= {add_378[19], add_378[19:1]};
-            resize_521_d1 <= min_520[21:0];
+            b_depth_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[21:0];
         end
         if (load_6) begin
-            not_272_d1 <= not_272;
-            not_278_d1 <= not_278;
-            not_283_d1 <= not_283;
-            not_289_d1 <= not_289;
-            not_295_d1 <= not_295;
-            not_301_d1 <= not_301;
-            not_307_d1 <= not_307;
-            not_312_d1 <= not_312;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_shift_either_bits_is_zero_d1_copy6 <= not_shift_either_bits_is_zero_copy6;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_17 : in_center_z) : in_center_z;
-            mul_f24_ftz_unit_a <= phase[3] ? choice_19 : phase[2] ? choice_20 : choice_21;
-            mul_f24_ftz_unit_b <= phase[3] ? choice_23 : phase[2] ? choice_24 : choice_25;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? choice_28 : phase[2] ? choice_20 : choice_29;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? choice_30 : choice_31) : phase[2] ? choice_32 : choice_33;
-            mul_f24_ftz_unit_copy3_a <= phase[3] ? (phase[2] ? choice_34 : choice_35) : phase[2] ? choice_20 : phase[1] ? choice_18 : choice_36;
-            mul_f24_ftz_unit_copy3_b <= phase[3] ? (phase[2] ? choice_37 : choice_38) : phase[2] ? choice_39 : phase[1] ? choice_36 : mul_103_d1;
-            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_40 : choice_41) : phase[2] ? choice_42 : choice_43;
-            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_44 : choice_48) : phase[2] ? choice_49 : choice_50;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? choice_53 : phase[2] ? mul_f24_ftz_unit_copy2_y : choice_54;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? choice_56 : phase[2] ? choice_57 : choice_59;
-            add_f24_ftz_unit_copy3_a <= phase[3] ? choice_60 : choice_62;
-            add_f24_ftz_unit_copy3_b <= phase[3] ? (phase[2] ? choice_63 : phase[1] ? joined_46 : depth_a) : phase[2] ? (phase[1] ? depth_a : add_186_d1) : choice_64;
-            sqrt_f24_ftz_unit_a <= phase[3] ? (phase[2] ? add_116_d1 : choice_65) : add_f24_ftz_unit_y;
-            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : phase[2] ? choice_66 : choice_67;
-            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : phase[2] ? choice_68 : choice_69;
-            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : choice_72;
-            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : choice_73) : phase[2] ? choice_74 : choice_75;
+            recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z) : in_center_z;
+            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_5;
+            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_5;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_6;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_7;
+            mul_f24_ftz_unit_copy3_a <= phase[3] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_6;
+            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_3 : mul_f24_ftz_unit_copy3_b_choice_4;
+            add_f24_ftz_unit_a <= phase[3] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
+            add_f24_ftz_unit_b <= phase[3] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_7;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_4;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_7;
+            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_3;
+            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
+            sqrt_f24_ftz_unit_a <= phase[3] ? sqrt_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_y;
+            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : min_f24_ftz_unit_a_choice_3;
+            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_3;
+            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : max_f24_ftz_unit_a_choice_3;
+            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : max_f24_ftz_unit_b_choice) : max_f24_ftz_unit_b_choice_6;
             to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
-            le_f24_ftz_unit_a <= phase[3] ? choice_76 : 24'd0;
-            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_77 : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
-            to_fixed_f24_ftz_s29q15_unit_a <= phase[3] ? (phase[2] ? add_106_d1 : choice_78) : add_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? (phase[2] ? reinterpret_487_d1 : choice_79) : phase[2] ? choice_80 : reinterpret_371_d1;
+            le_f24_ftz_unit_a <= phase[3] ? le_f24_ftz_unit_a_choice : 24'd0;
+            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
+            to_fixed_f24_ftz_s29q15_unit_a <= phase[3] ? to_fixed_f24_ftz_s29q15_unit_a_choice_2 : add_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_2 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
             to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {2'd0, add_f24_ftz_unit_y[22:15], select_216};
+            delay_5_from_0[delay_5_from_0_pointer] <= {2'd0, add_f24_ftz_unit_y[22:15], center_x_out};
         end
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {add_f24_ftz_unit_y[14:0], add_f24_ftz_unit_y[23], not_478};
+            delay_6_from_0[delay_6_from_0_pointer] <= {add_f24_ftz_unit_y[14:0], add_f24_ftz_unit_y[23], not_zero_is_my_bits};
         end
         if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
@@ -5810,194 +5705,136 @@ module splat_setup (
         if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= or_543;
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= odd_or_edge_on_or_not_placed;
         if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_4) begin
             delay_6_from_4[delay_6_from_4_pointer] <= {
-                mul_103_d1[14:0], mul_103_d1[23], mul_97_d1[14:0], mul_97_d1[23], mul_41_d1[14:0], mul_41_d1[23],
-                mul_35_d1[14:0], mul_35_d1[23]
+                b_y_d1[14:0], b_y_d1[23], a_y_d1[14:0], a_y_d1[23], b_x_d1[14:0], b_x_d1[23], a_x_d1[14:0],
+                a_x_d1[23]
             };
         end
         if (load_4) delay_6_from_4_out <= delay_6_from_4[delay_6_from_4_pointer];
     end
     always @(posedge clk) begin
         if (load_14) begin
-            delay_5_from_14[delay_5_from_14_pointer] <= {resize_341_d1, 2'd0, add_f24_ftz_unit_y[22:15], bits_190_d1};
+            delay_5_from_14[delay_5_from_14_pointer] <= {a_x_bits_d1, 2'd0, add_f24_ftz_unit_y[22:15], delta_sign_d1};
         end
         if (load_14) delay_5_from_14_out <= delay_5_from_14[delay_5_from_14_pointer];
     end
     always @(posedge clk) begin
         if (load_14) begin
-            delay_6_from_14[delay_6_from_14_pointer] <= {add_f24_ftz_unit_y[14:0], not_502};
+            delay_6_from_14[delay_6_from_14_pointer] <= {add_f24_ftz_unit_y[14:0], not_zero_is_delta_bits};
         end
         if (load_14) delay_6_from_14_out <= delay_6_from_14[delay_6_from_14_pointer];
     end
     always @(posedge clk) begin
-        if (load_14) delay_7_from_14[delay_7_from_14_pointer] <= not_362;
+        if (load_14) delay_7_from_14[delay_7_from_14_pointer] <= not_zero_is_a_x_bits;
         if (load_14) delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
     end
     always @(posedge clk) begin
         if (load_15) begin
-            delay_5_from_15[delay_5_from_15_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], resize_347_d1, or_193};
+            delay_5_from_15[delay_5_from_15_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], b_y_bits_d1, edge_on_or_visible_unequal};
         end
         if (load_15) delay_5_from_15_out <= delay_5_from_15[delay_5_from_15_pointer];
     end
     always @(posedge clk) begin
         if (load_15) begin
             delay_6_from_15[delay_6_from_15_pointer] <= {
-                add_f24_ftz_unit_copy2_y[14:0], add_f24_ftz_unit_copy2_y[23], not_455, 2'd0,
+                add_f24_ftz_unit_copy2_y[14:0], add_f24_ftz_unit_copy2_y[23], not_zero_is_mx_bits, 2'd0,
                 mul_f24_ftz_unit_copy2_y[22:15], 2'd0, mul_f24_ftz_unit_y[22:15]
             };
         end
         if (load_15) delay_6_from_15_out <= delay_6_from_15[delay_6_from_15_pointer];
     end
     always @(posedge clk) begin
-        if (load_15) delay_7_from_15[delay_7_from_15_pointer] <= {not_432, not_409, not_386};
+        if (load_15) begin
+            delay_7_from_15[delay_7_from_15_pointer] <= {not_zero_is_b_y_bits, not_zero_is_a_y_bits, not_zero_is_b_x_bits};
+        end
         if (load_15) delay_7_from_15_out <= delay_7_from_15[delay_7_from_15_pointer];
     end
 
     wire _unused = &{
-        1'b0, add_211[0], add_223[0], add_378[0], add_402[0], add_425[0], add_448[0], add_471[0], add_494[0],
-        add_517[0], min_214[29:28], min_225[29:28], min_381[19:18], min_404[19:18], min_427[19:18],
-        min_450[19:18], min_473[19:18], min_496[19:18], min_520[23:22], or_267[16:0], select_241[28],
-        select_245[28], select_260[28], select_265[28], select_365[9:8], select_389[9:8], select_412[9:8],
-        select_435[9:8], select_458[9:8], select_481[9:8], select_505[9:8], sub_139[21:7], sub_84[21:7]
+        1'b0, ax_out_chosen[9:8], ax_out_lesser[19:18], ax_out_sum[0], ay_out_chosen[9:8],
+        ay_out_lesser[19:18], ay_out_sum[0], bx_out_chosen[9:8], bx_out_lesser[19:18], bx_out_sum[0],
+        by_out_chosen[9:8], by_out_lesser[19:18], by_out_sum[0], center_x_out_lesser[29:28],
+        center_x_out_sum[0], center_y_out_lesser[29:28], center_y_out_sum[0], last_x_lesser_minus_1[21:7],
+        last_y_lesser_minus_1[21:7], mx_out_chosen[9:8], mx_out_lesser[19:18], mx_out_sum[0],
+        my_out_chosen[9:8], my_out_lesser[19:18], my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28],
+        shift_chosen_copy3[28], shift_chosen_copy4[28], shift_either_copy3[16:0], vanishes_chosen[9:8],
+        vanishes_lesser[23:22], vanishes_sum[0]
     };
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & term_1))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 4'd1)));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 4'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 4'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 4'd4)));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 4'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 4'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & (phase == 4'd7)));
+        load_8_in_phase: assert (load_8 == (queue_in_ready & (phase == 4'd8)));
+        load_9_in_phase: assert (load_9 == (queue_in_ready & (phase == 4'd9)));
+        load_10_in_phase: assert (load_10 == (queue_in_ready & (phase == 4'd10)));
+        load_11_in_phase: assert (load_11 == (queue_in_ready & (phase == 4'd11)));
+        load_12_in_phase: assert (load_12 == (queue_in_ready & (phase == 4'd12)));
+        load_13_in_phase: assert (load_13 == (queue_in_ready & (phase == 4'd13)));
+        load_14_in_phase: assert (load_14 == (queue_in_ready & (phase == 4'd14)));
+        load_15_in_phase: assert (load_15 == (queue_in_ready & phase_is_15));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
-`ifdef FORMAL
-                load_8_in_phase: assert (0);
-`else
-                $display("assertion failed: load_8_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
-`ifdef FORMAL
-                load_9_in_phase: assert (0);
-`else
-                $display("assertion failed: load_9_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
-`ifdef FORMAL
-                load_10_in_phase: assert (0);
-`else
-                $display("assertion failed: load_10_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
-`ifdef FORMAL
-                load_11_in_phase: assert (0);
-`else
-                $display("assertion failed: load_11_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
-`ifdef FORMAL
-                load_12_in_phase: assert (0);
-`else
-                $display("assertion failed: load_12_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
-`ifdef FORMAL
-                load_13_in_phase: assert (0);
-`else
-                $display("assertion failed: load_13_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_14 == (queue_in_ready & (phase == 4'd14)))) begin
-`ifdef FORMAL
-                load_14_in_phase: assert (0);
-`else
-                $display("assertion failed: load_14_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_15 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_15_in_phase: assert (0);
-`else
-                $display("assertion failed: load_15_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+        if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
+            $display("assertion failed: load_8_in_phase in %m"); $stop;
+        end
+        if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
+            $display("assertion failed: load_9_in_phase in %m"); $stop;
+        end
+        if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
+            $display("assertion failed: load_10_in_phase in %m"); $stop;
+        end
+        if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
+            $display("assertion failed: load_11_in_phase in %m"); $stop;
+        end
+        if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
+            $display("assertion failed: load_12_in_phase in %m"); $stop;
+        end
+        if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
+            $display("assertion failed: load_13_in_phase in %m"); $stop;
+        end
+        if (!(load_14 == (queue_in_ready & (phase == 4'd14)))) begin
+            $display("assertion failed: load_14_in_phase in %m"); $stop;
+        end
+        if (!(load_15 == (queue_in_ready & phase_is_15))) begin
+            $display("assertion failed: load_15_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -6009,9 +5846,7 @@ endmodule
 // fraction = 24
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [4:0] distance_s1;
@@ -6020,30 +5855,30 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
-    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h79a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({8'd0, significand_s1} << 8) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6053,9 +5888,7 @@ endmodule
 // fraction = 22
 // integer = signed
 module float_to_fixed_s3_f24ftz_w23_f22_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [22:0] y
 );
     reg [4:0] distance_s1;
@@ -6064,31 +5897,31 @@ module float_to_fixed_s3_f24ftz_w23_f22_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h798;
-    wire [10:0] difference_2 = 11'd23 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h798;
+    wire [10:0] distance_s1_difference = 11'd23 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [22:0] choice_5 = saturates_s2 ? (sign_s2 ? 23'h400000 : 23'h3fffff) : sign_s2 ? (~magnitude_s2 + 23'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [22:0] y_choice = saturates_s2 ? (sign_s2 ? 23'h400000 : 23'h3fffff) : sign_s2 ? (~magnitude_s2 + 23'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({7'd0, significand_s1} << 7) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd23 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd23 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 23'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 23'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6098,9 +5931,7 @@ endmodule
 // fraction = 18
 // integer = signed
 module float_to_fixed_s3_f24ftz_w19_f18_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [18:0] y
 );
     reg [4:0] distance_s1;
@@ -6109,31 +5940,31 @@ module float_to_fixed_s3_f24ftz_w19_f18_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h794;
-    wire [10:0] difference_2 = 11'd19 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h794;
+    wire [10:0] distance_s1_difference = 11'd19 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [18:0] choice_5 = saturates_s2 ? (sign_s2 ? 19'h40000 : 19'h3ffff) : sign_s2 ? (~magnitude_s2 + 19'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [18:0] y_choice = saturates_s2 ? (sign_s2 ? 19'h40000 : 19'h3ffff) : sign_s2 ? (~magnitude_s2 + 19'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({3'd0, significand_s1} << 3) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd19 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd19 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 19'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 19'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -6143,9 +5974,7 @@ endmodule
 // fraction = 15
 // integer = signed
 module float_to_fixed_s3_f24ftz_w29_f15_signed (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [28:0] y
 );
     reg [4:0] distance_s1;
@@ -6154,55 +5983,52 @@ module float_to_fixed_s3_f24ftz_w29_f15_signed (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h791;
-    wire [10:0] difference_2 = 11'd29 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h791;
+    wire [10:0] distance_s1_difference = 11'd29 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
-    wire [28:0] choice_5 = saturates_s2 ? (sign_s2 ? 29'h10000000 : 29'hfffffff) : sign_s2 ? (~magnitude_s2 + 29'd1) : magnitude_s2;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [28:0] y_choice = saturates_s2 ? (sign_s2 ? 29'h10000000 : 29'hfffffff) : sign_s2 ? (~magnitude_s2 + 29'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({13'd0, significand_s1} << 13) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd29 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd29 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2) ? 29'd0 : choice_5;
+            y <= (vanishes_s2 | nan_s2) ? 29'd0 : y_choice;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
 module float_le_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
@@ -6215,9 +6041,7 @@ endmodule
 // fraction = 8
 // integer = unsigned
 module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [20:0] y
 );
     reg [4:0] distance_s1;
@@ -6226,55 +6050,52 @@ module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
-    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd21 - saturates_s1_sum;
     wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[4:0];
+            distance_s1 <= distance_s1_difference[4:0];
             significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
             magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
             vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd22 <= sum_1) & |a_field) | term_4;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5]};
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
 // Greater of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
 module float_max_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -6284,25 +6105,22 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_min_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg a_nan_s1, b_nan_s1, less_s1;
     reg [23:0] a_s1, b_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            a_nan_s1 <= &a[22:15] & |term_1;
-            b_nan_s1 <= &b[22:15] & |term_2;
-            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], term_1};
-            b_s1 <= {b[23:15], term_2};
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
@@ -6312,9 +6130,7 @@ endmodule
 // stages = 18
 // format = f24-ftz
 module float_sqrt_s18_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [2:0] remainder_s1;
@@ -6370,73 +6186,73 @@ module float_sqrt_s18_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [16:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
-    wire [1:0] difference_3 = choice_2[16:15] - 2'd1;
-    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[14:13]} - 5'd5;
-    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
-    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
-    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
-    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
-    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
-    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
-    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
-    wire [12:0] difference_12 = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
-    wire [13:0] difference_13 = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
-    wire [14:0] difference_14 = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
-    wire [15:0] difference_15 = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
-    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
-    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
-    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
-    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
-    wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
-    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [16:0] remainder_s1_choice = ~a_field[0] ? {|a_field, remainder_s1_both, 1'd0} : {1'd0, |a_field, remainder_s1_both};
+    wire [1:0] remainder_s1_difference = remainder_s1_choice[16:15] - 2'd1;
+    wire [4:0] remainder_s1_difference_2 = {1'd0, remainder_s1_difference, remainder_s1_choice[14:13]} - 5'd5;
+    wire [5:0] remainder_s2_difference = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] remainder_s3_difference = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] remainder_s4_difference = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] remainder_s5_difference = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] remainder_s6_difference = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] remainder_s7_difference = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] remainder_s8_difference = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
+    wire [12:0] remainder_s9_difference = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
+    wire [13:0] remainder_s10_difference = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
+    wire [14:0] remainder_s11_difference = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
+    wire [15:0] remainder_s12_difference = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] remainder_s13_difference = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] remainder_s15_difference = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] remainder_s16_difference = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [9:0] a_field_plus_127 = {2'd0, a_field} + 10'd127;
+    wire zero_s17_either = exponent_s16[9] | ((exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]));
     wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
     wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
-    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
+    wire [23:0] y_bits = {sign_s17, zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17};
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[14:13]};
-            root_s1 <= {1'd1, ~difference_4[4]};
-            pending_s1 <= choice_2[12:0];
-            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
-            root_s2 <= {root_s1, ~difference_5[5]};
+            remainder_s1 <= ~remainder_s1_difference_2[4] ? remainder_s1_difference_2[2:0] : {remainder_s1_difference[0], remainder_s1_choice[14:13]};
+            root_s1 <= {1'd1, ~remainder_s1_difference_2[4]};
+            pending_s1 <= remainder_s1_choice[12:0];
+            remainder_s2 <= ~remainder_s2_difference[5] ? remainder_s2_difference[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
+            root_s2 <= {root_s1, ~remainder_s2_difference[5]};
             pending_s2 <= pending_s1[10:0];
-            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
-            root_s3 <= {root_s2, ~difference_6[6]};
+            remainder_s3 <= ~remainder_s3_difference[6] ? remainder_s3_difference[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
+            root_s3 <= {root_s2, ~remainder_s3_difference[6]};
             pending_s3 <= pending_s2[8:0];
-            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
-            root_s4 <= {root_s3, ~difference_7[7]};
+            remainder_s4 <= ~remainder_s4_difference[7] ? remainder_s4_difference[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
+            root_s4 <= {root_s3, ~remainder_s4_difference[7]};
             pending_s4 <= pending_s3[6:0];
-            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
-            root_s5 <= {root_s4, ~difference_8[8]};
+            remainder_s5 <= ~remainder_s5_difference[8] ? remainder_s5_difference[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
+            root_s5 <= {root_s4, ~remainder_s5_difference[8]};
             pending_s5 <= pending_s4[4:0];
-            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
-            root_s6 <= {root_s5, ~difference_9[9]};
+            remainder_s6 <= ~remainder_s6_difference[9] ? remainder_s6_difference[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
+            root_s6 <= {root_s5, ~remainder_s6_difference[9]};
             pending_s6 <= pending_s5[2:0];
-            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
-            root_s7 <= {root_s6, ~difference_10[10]};
+            remainder_s7 <= ~remainder_s7_difference[10] ? remainder_s7_difference[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
+            root_s7 <= {root_s6, ~remainder_s7_difference[10]};
             pending_s7 <= pending_s6[0];
-            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
-            root_s8 <= {root_s7, ~difference_11[11]};
-            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], 2'd0};
-            root_s9 <= {root_s8, ~difference_12[12]};
-            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], 2'd0};
-            root_s10 <= {root_s9, ~difference_13[13]};
-            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], 2'd0};
-            root_s11 <= {root_s10, ~difference_14[14]};
-            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], 2'd0};
-            root_s12 <= {root_s11, ~difference_15[15]};
-            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
-            root_s13 <= {root_s12, ~difference_16[16]};
-            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
-            root_s14 <= {root_s13, ~difference_17[17]};
-            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
-            root_s15 <= {root_s14, ~difference_18[18]};
-            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
-            root_s16 <= {root_s15, ~difference_19[19]};
-            exponent_s1 <= {sum_20[9], sum_20[9:1]};
+            remainder_s8 <= ~remainder_s8_difference[11] ? remainder_s8_difference[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
+            root_s8 <= {root_s7, ~remainder_s8_difference[11]};
+            remainder_s9 <= ~remainder_s9_difference[12] ? remainder_s9_difference[10:0] : {remainder_s8[8:0], 2'd0};
+            root_s9 <= {root_s8, ~remainder_s9_difference[12]};
+            remainder_s10 <= ~remainder_s10_difference[13] ? remainder_s10_difference[11:0] : {remainder_s9[9:0], 2'd0};
+            root_s10 <= {root_s9, ~remainder_s10_difference[13]};
+            remainder_s11 <= ~remainder_s11_difference[14] ? remainder_s11_difference[12:0] : {remainder_s10[10:0], 2'd0};
+            root_s11 <= {root_s10, ~remainder_s11_difference[14]};
+            remainder_s12 <= ~remainder_s12_difference[15] ? remainder_s12_difference[13:0] : {remainder_s11[11:0], 2'd0};
+            root_s12 <= {root_s11, ~remainder_s12_difference[15]};
+            remainder_s13 <= ~remainder_s13_difference[16] ? remainder_s13_difference[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~remainder_s13_difference[16]};
+            remainder_s14 <= ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~remainder_s14_difference[17]};
+            remainder_s15 <= ~remainder_s15_difference[18] ? remainder_s15_difference[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~remainder_s15_difference[18]};
+            remainder_s16 <= ~remainder_s16_difference[19] ? remainder_s16_difference[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~remainder_s16_difference[19]};
+            exponent_s1 <= {a_field_plus_127[9], a_field_plus_127[9:1]};
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3;
@@ -6519,17 +6335,19 @@ module float_sqrt_s18_f24ftz (
             sign_s17 <= sign_s16;
             nan_s17 <= nan_s16;
             infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
-            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            zero_s17 <= zero_s16 | (zero_s17_either & ~infinite_s16);
             rounded_s17 <= rounded;
-            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
+            y <= nan_s17 ? 24'h7fc000 : y_bits;
         end
     end
 
     wire _unused = &{
-        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
-        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
-        difference_4[3], difference_5[4], difference_6[5], difference_7[6], difference_8[7], difference_9[8],
-        root_s16[16], sum_20[0]
+        1'b0, a_field_plus_127[0], remainder_s10_difference[12], remainder_s11_difference[13],
+        remainder_s12_difference[14], remainder_s13_difference[15], remainder_s14_difference[16],
+        remainder_s15_difference[17], remainder_s16_difference[18], remainder_s1_difference_2[3],
+        remainder_s2_difference[4], remainder_s3_difference[5], remainder_s4_difference[6],
+        remainder_s5_difference[7], remainder_s6_difference[8], remainder_s7_difference[9],
+        remainder_s8_difference[10], remainder_s9_difference[11], root_s16[16]
     };
 endmodule
 
@@ -6537,10 +6355,7 @@ endmodule
 // stages = 5
 // format = f24-ftz
 module float_mul_s5_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -6556,16 +6371,16 @@ module float_mul_s5_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zero_s4_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+    wire [23:0] y_bits = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
 
     always @(posedge clk) begin
         if (enable) begin
@@ -6575,25 +6390,25 @@ module float_mul_s5_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             sign_s4 <= sign_s3;
             nan_s4 <= nan_s3;
             infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
-            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | zero_s4_both) & ~infinite_s3);
             rounded_s4 <= rounded;
-            y <= nan_s4 ? 24'h7fc000 : joined_8;
+            y <= nan_s4 ? 24'h7fc000 : y_bits;
         end
     end
 
@@ -6604,9 +6419,7 @@ endmodule
 // stages = 20
 // format = f24-ftz
 module float_recip_s20_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
+    input  wire clk, input wire enable, input wire [23:0] a,
     output reg  [23:0] y
 );
     reg [16:0] remainder_s1;
@@ -6675,105 +6488,106 @@ module float_recip_s20_f24ftz (
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [17:0] difference_2 = 18'h8000 - {2'd0, |a_field, term_1};
-    wire [17:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : remainder_s1[15:0];
-    wire [17:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s2[15:0];
-    wire [17:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s3[15:0];
-    wire [17:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s4[15:0];
-    wire [17:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s5[15:0];
-    wire [17:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s6[15:0];
-    wire [17:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s7[15:0];
-    wire [17:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s8[15:0];
-    wire [17:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s9[15:0];
-    wire [17:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s10[15:0];
-    wire [17:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s11[15:0];
-    wire [17:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s12[15:0];
-    wire [17:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s13[15:0];
-    wire [17:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s14[15:0];
-    wire [17:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s15[15:0];
-    wire [17:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s16[15:0];
-    wire [17:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s17[15:0];
-    wire [18:0] joined_37 = {quotient_s18, |remainder_s18};
-    wire [18:0] choice_38 = ~quotient_s18[17] ? (joined_37 << 1) : joined_37;
-    wire term_39 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
-    wire term_40 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
+    wire [14:0] remainder_s1_both = a_fraction & {15{|a_field}};
+    wire [17:0] remainder_s1_difference = 18'h8000 - {2'd0, |a_field, remainder_s1_both};
+    wire [15:0] remainder_s1_choice = ~remainder_s1_difference[17] ? remainder_s1_difference[15:0] : 16'h8000;
+    wire [17:0] remainder_s1_minus_divisor_s1 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [15:0] remainder_s2_choice = ~remainder_s1_minus_divisor_s1[17] ? remainder_s1_minus_divisor_s1[15:0] : remainder_s1[15:0];
+    wire [17:0] remainder_s2_minus_divisor_s2 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [15:0] remainder_s3_choice = ~remainder_s2_minus_divisor_s2[17] ? remainder_s2_minus_divisor_s2[15:0] : remainder_s2[15:0];
+    wire [17:0] remainder_s3_minus_divisor_s3 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [15:0] remainder_s4_choice = ~remainder_s3_minus_divisor_s3[17] ? remainder_s3_minus_divisor_s3[15:0] : remainder_s3[15:0];
+    wire [17:0] remainder_s4_minus_divisor_s4 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [15:0] remainder_s5_choice = ~remainder_s4_minus_divisor_s4[17] ? remainder_s4_minus_divisor_s4[15:0] : remainder_s4[15:0];
+    wire [17:0] remainder_s5_minus_divisor_s5 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [15:0] remainder_s6_choice = ~remainder_s5_minus_divisor_s5[17] ? remainder_s5_minus_divisor_s5[15:0] : remainder_s5[15:0];
+    wire [17:0] remainder_s6_minus_divisor_s6 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [15:0] remainder_s7_choice = ~remainder_s6_minus_divisor_s6[17] ? remainder_s6_minus_divisor_s6[15:0] : remainder_s6[15:0];
+    wire [17:0] remainder_s7_minus_divisor_s7 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [15:0] remainder_s8_choice = ~remainder_s7_minus_divisor_s7[17] ? remainder_s7_minus_divisor_s7[15:0] : remainder_s7[15:0];
+    wire [17:0] remainder_s8_minus_divisor_s8 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [15:0] remainder_s9_choice = ~remainder_s8_minus_divisor_s8[17] ? remainder_s8_minus_divisor_s8[15:0] : remainder_s8[15:0];
+    wire [17:0] remainder_s9_minus_divisor_s9 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [15:0] remainder_s10_choice = ~remainder_s9_minus_divisor_s9[17] ? remainder_s9_minus_divisor_s9[15:0] : remainder_s9[15:0];
+    wire [17:0] remainder_s11_difference = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [15:0] remainder_s11_choice = ~remainder_s11_difference[17] ? remainder_s11_difference[15:0] : remainder_s10[15:0];
+    wire [17:0] remainder_s12_difference = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [15:0] remainder_s12_choice = ~remainder_s12_difference[17] ? remainder_s12_difference[15:0] : remainder_s11[15:0];
+    wire [17:0] remainder_s13_difference = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [15:0] remainder_s13_choice = ~remainder_s13_difference[17] ? remainder_s13_difference[15:0] : remainder_s12[15:0];
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [15:0] remainder_s14_choice = ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : remainder_s13[15:0];
+    wire [17:0] remainder_s15_difference = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [15:0] remainder_s15_choice = ~remainder_s15_difference[17] ? remainder_s15_difference[15:0] : remainder_s14[15:0];
+    wire [17:0] remainder_s16_difference = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [15:0] remainder_s16_choice = ~remainder_s16_difference[17] ? remainder_s16_difference[15:0] : remainder_s15[15:0];
+    wire [17:0] remainder_s17_difference = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [15:0] remainder_s17_choice = ~remainder_s17_difference[17] ? remainder_s17_difference[15:0] : remainder_s16[15:0];
+    wire [17:0] remainder_s18_difference = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [15:0] remainder_s18_choice = ~remainder_s18_difference[17] ? remainder_s18_difference[15:0] : remainder_s17[15:0];
+    wire [18:0] significand_s19_bits = {quotient_s18, |remainder_s18};
+    wire [18:0] significand_s19_choice = ~quotient_s18[17] ? (significand_s19_bits << 1) : significand_s19_bits;
+    wire y_both = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
     wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
     wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_41 = (zero_s19 | ((exponent_s19[9] | term_39) & ~infinite_s19)) ? 23'd0 : term_40 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s19 | ((exponent_s19[9] | y_both) & ~infinite_s19)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {~difference_2[17] ? difference_2[15:0] : 16'h8000, 1'd0};
-            quotient_s1 <= ~difference_2[17];
-            divisor_s1 <= {|a_field, term_1};
-            remainder_s2 <= {choice_4, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_3[17]};
+            remainder_s1 <= {remainder_s1_choice, 1'd0};
+            quotient_s1 <= ~remainder_s1_difference[17];
+            divisor_s1 <= {|a_field, remainder_s1_both};
+            remainder_s2 <= {remainder_s2_choice, 1'd0};
+            quotient_s2 <= {quotient_s1, ~remainder_s1_minus_divisor_s1[17]};
             divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_6, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_5[17]};
+            remainder_s3 <= {remainder_s3_choice, 1'd0};
+            quotient_s3 <= {quotient_s2, ~remainder_s2_minus_divisor_s2[17]};
             divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_8, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_7[17]};
+            remainder_s4 <= {remainder_s4_choice, 1'd0};
+            quotient_s4 <= {quotient_s3, ~remainder_s3_minus_divisor_s3[17]};
             divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_10, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_9[17]};
+            remainder_s5 <= {remainder_s5_choice, 1'd0};
+            quotient_s5 <= {quotient_s4, ~remainder_s4_minus_divisor_s4[17]};
             divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_12, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_11[17]};
+            remainder_s6 <= {remainder_s6_choice, 1'd0};
+            quotient_s6 <= {quotient_s5, ~remainder_s5_minus_divisor_s5[17]};
             divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_14, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_13[17]};
+            remainder_s7 <= {remainder_s7_choice, 1'd0};
+            quotient_s7 <= {quotient_s6, ~remainder_s6_minus_divisor_s6[17]};
             divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_16, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_15[17]};
+            remainder_s8 <= {remainder_s8_choice, 1'd0};
+            quotient_s8 <= {quotient_s7, ~remainder_s7_minus_divisor_s7[17]};
             divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_18, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_17[17]};
+            remainder_s9 <= {remainder_s9_choice, 1'd0};
+            quotient_s9 <= {quotient_s8, ~remainder_s8_minus_divisor_s8[17]};
             divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_20, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_19[17]};
+            remainder_s10 <= {remainder_s10_choice, 1'd0};
+            quotient_s10 <= {quotient_s9, ~remainder_s9_minus_divisor_s9[17]};
             divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_22, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_21[17]};
+            remainder_s11 <= {remainder_s11_choice, 1'd0};
+            quotient_s11 <= {quotient_s10, ~remainder_s11_difference[17]};
             divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_24, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_23[17]};
+            remainder_s12 <= {remainder_s12_choice, 1'd0};
+            quotient_s12 <= {quotient_s11, ~remainder_s12_difference[17]};
             divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_26, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_25[17]};
+            remainder_s13 <= {remainder_s13_choice, 1'd0};
+            quotient_s13 <= {quotient_s12, ~remainder_s13_difference[17]};
             divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_28, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_27[17]};
+            remainder_s14 <= {remainder_s14_choice, 1'd0};
+            quotient_s14 <= {quotient_s13, ~remainder_s14_difference[17]};
             divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_30, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_29[17]};
+            remainder_s15 <= {remainder_s15_choice, 1'd0};
+            quotient_s15 <= {quotient_s14, ~remainder_s15_difference[17]};
             divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_32, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_31[17]};
+            remainder_s16 <= {remainder_s16_choice, 1'd0};
+            quotient_s16 <= {quotient_s15, ~remainder_s16_difference[17]};
             divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_34, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_33[17]};
+            remainder_s17 <= {remainder_s17_choice, 1'd0};
+            quotient_s17 <= {quotient_s16, ~remainder_s17_difference[17]};
             divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_36, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_35[17]};
+            remainder_s18 <= {remainder_s18_choice, 1'd0};
+            quotient_s18 <= {quotient_s17, ~remainder_s18_difference[17]};
             exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
@@ -6793,7 +6607,7 @@ module float_recip_s20_f24ftz (
             exponent_s17 <= exponent_s16;
             exponent_s18 <= exponent_s17;
             exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
-            significand_s19 <= {choice_38[18:2], |choice_38[1:0]};
+            significand_s19 <= {significand_s19_choice[18:2], |significand_s19_choice[1:0]};
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -6870,29 +6684,28 @@ module float_recip_s20_f24ftz (
             zero_s17 <= zero_s16;
             zero_s18 <= zero_s17;
             zero_s19 <= zero_s18;
-            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_41};
+            y <= nan_s19 ? 24'h7fc000 : {sign_s19, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
-        difference_2[16], difference_21[16], difference_23[16], difference_25[16], difference_27[16],
-        difference_29[16], difference_3[16], difference_31[16], difference_33[16], difference_35[16],
-        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
+        1'b0, remainder_s11_difference[16], remainder_s12_difference[16], remainder_s13_difference[16],
+        remainder_s14_difference[16], remainder_s15_difference[16], remainder_s16_difference[16],
+        remainder_s17_difference[16], remainder_s18_difference[16], remainder_s1_difference[16],
+        remainder_s1_minus_divisor_s1[16], remainder_s2_minus_divisor_s2[16],
+        remainder_s3_minus_divisor_s3[16], remainder_s4_minus_divisor_s4[16],
+        remainder_s5_minus_divisor_s5[16], remainder_s6_minus_divisor_s6[16],
+        remainder_s7_minus_divisor_s7[16], remainder_s8_minus_divisor_s8[16],
+        remainder_s9_minus_divisor_s9[16], significand_s19[17]
     };
 endmodule
 
 // Queue of two in registers.
 // width = 339
 module stream_skid_w339 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [338:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [338:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
 );
     reg second_valid;
     reg [338:0] head, second;
@@ -6918,17 +6731,14 @@ module stream_skid_w339 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -6937,66 +6747,65 @@ endmodule
 // latency = 30
 // initiation_interval = 16
 module splat_transform (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Splats in world space.
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [23:0] m00,
-    input  wire [23:0] m01,
-    input  wire [23:0] m02,
-    input  wire [23:0] m03,
-    input  wire [23:0] m10,
-    input  wire [23:0] m11,
-    input  wire [23:0] m12,
-    input  wire [23:0] m13,
-    input  wire [23:0] m20,
-    input  wire [23:0] m21,
-    input  wire [23:0] m22,
-    input  wire [23:0] m23,
-    input  wire [23:0] near_plane,
-    output wire out_valid,
+    input  wire in_end,  // Closes the frame.
+    input  wire [23:0] in_center_x,  // Center.
+    input  wire [23:0] in_center_y,  // Center.
+    input  wire [23:0] in_center_z,  // Center.
+    input  wire [23:0] in_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    input  wire [23:0] in_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    input  wire [15:0] in_attribute_0,  // Attributes.
+    input  wire [15:0] in_attribute_1,  // Attributes.
+    input  wire [15:0] in_attribute_2,  // Attributes.
+    input  wire [23:0] m00,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m01,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m02,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m03,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m10,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m11,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m12,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m13,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m20,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m21,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m22,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] m23,  // By rows; the last row is (0, 0, 0, 1).
+    input  wire [23:0] near_plane,  // Near plane.
+    output wire out_valid,  // Splats in camera space.
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_center_z,
-    output wire [23:0] out_tangent1_x,
-    output wire [23:0] out_tangent1_y,
-    output wire [23:0] out_tangent1_z,
-    output wire [23:0] out_tangent2_x,
-    output wire [23:0] out_tangent2_y,
-    output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire out_end,  // Closes the frame.
+    output wire [23:0] out_center_x,  // Center.
+    output wire [23:0] out_center_y,  // Center.
+    output wire [23:0] out_center_z,  // Center.
+    output wire [23:0] out_tangent1_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent1_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_x,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_y,  // Tangents, whose ends lie at rho = 1.
+    output wire [23:0] out_tangent2_z,  // Tangents, whose ends lie at rho = 1.
+    output wire [15:0] out_attribute_0,  // Attributes.
+    output wire [15:0] out_attribute_1,  // Attributes.
+    output wire [15:0] out_attribute_2  // Attributes.
 );
     reg [3:0] phase;
     reg load_0, load_1, load_2, load_5, load_6, load_8, load_9, load_10, load_11, load_12, load_13, load_14;
     reg end_d1, end_d2;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1;
-    reg [23:0] reinterpret_26_d1, reinterpret_27_d1, reinterpret_28_d1, mul_32_d1, mul_37_d1, mul_42_d1, add_44_d1;
-    reg [23:0] add_45_d1, add_46_d1, reinterpret_47_d1, reinterpret_48_d1, reinterpret_49_d1, add_54_d1, add_59_d1;
-    reg [23:0] add_64_d1, reinterpret_65_d1, reinterpret_66_d1, reinterpret_67_d1, add_72_d1, add_75_d1, mul_76_d1;
-    reg [23:0] add_77_d1, add_80_d1, mul_81_d1;
-    reg or_84_d1, equal_89_d1;
-    reg [15:0] select_95_d1, select_96_d1;
-    reg equal_100_d1;
-    reg [15:0] select_103_d1, select_104_d1;
-    reg equal_108_d1;
-    reg [15:0] select_111_d1, select_112_d1;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, m12_times_center_z_d1;
+    reg [23:0] m22_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, v1_x_d1;
+    reg [23:0] v1_y_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
+    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
+    reg end_or_near_plane_below_u_z_d1, attribute_0_bits_is_31_d1;
+    reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1;
+    reg attribute_1_bits_is_31_d1;
+    reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1;
+    reg attribute_2_bits_is_31_d1;
+    reg [15:0] attribute_2_out_chosen_d1, attribute_2_out_d1;
     reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
     reg [23:0] add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b;
     reg [1:0] in_flight;
@@ -7006,43 +6815,47 @@ module splat_transform (
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y;
     wire lt_f24_ftz_unit_y;
 
-    wire term_1 = phase == 4'd14;
-    wire term_2 = in_flight[1] & or_84_d1 & term_1;
-    wire term_3 = phase == 4'd15;
-    wire [3:0] phase_next = queue_in_ready ? (term_3 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
-    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
-    wire advance_next = ~term_4;
-    wire or_84 = end_d2 | lt_f24_ftz_unit_y;
-    wire equal_89 = in_attribute_0[14:10] == 5'd31;
-    wire equal_91 = in_attribute_0[9:0] == 10'd0;
-    wire [15:0] select_95 = equal_91 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_96 = equal_89_d1 ? select_95_d1 : attribute_0_d1;
-    wire equal_100 = 5'd31 == in_attribute_1[14:10];
-    wire equal_101 = 10'd0 == in_attribute_1[9:0];
-    wire [15:0] select_103 = equal_101 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_104 = equal_100_d1 ? select_103_d1 : attribute_1_d1;
-    wire equal_108 = 5'd31 == in_attribute_2[14:10];
-    wire equal_109 = 10'd0 == in_attribute_2[9:0];
-    wire [15:0] select_111 = equal_109 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_112 = equal_108_d1 ? select_111_d1 : attribute_2_d1;
-    wire [23:0] choice_5 = phase[2] ? (phase[1] ? (phase[0] ? m02 : m22) : phase[0] ? m12 : m02) : phase[1] ? m20 : phase[0] ? m10 : m00;
-    wire [23:0] choice_6 = phase[2] ? (phase[1] ? (phase[0] ? m20 : m10) : phase[0] ? m00 : m12) : phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m00 : m20;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_67_d1 : reinterpret_49_d1) : reinterpret_49_d1;
-    wire [23:0] choice_8 = phase[1] ? reinterpret_47_d1 : phase[0] ? reinterpret_47_d1 : reinterpret_28_d1;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_28_d1 : reinterpret_26_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
-    wire [23:0] choice_10 = phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m12) : phase[1] ? m21 : phase[0] ? m11 : m01;
-    wire [23:0] choice_11 = phase[2] ? (phase[1] ? (phase[0] ? m21 : m11) : phase[0] ? m01 : m22) : phase[1] ? (phase[0] ? m22 : m11) : phase[0] ? m01 : m21;
-    wire [23:0] choice_12 = phase[1] ? reinterpret_48_d1 : phase[0] ? reinterpret_48_d1 : reinterpret_28_d1;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? reinterpret_28_d1 : reinterpret_27_d1) : phase[0] ? reinterpret_27_d1 : in_center_y;
-    wire [23:0] choice_14 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] choice_15 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_f24_ftz_unit_y : m03;
-    wire [23:0] choice_16 = phase[1] ? (phase[0] ? m23 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_37_d1) : phase[0] ? mul_32_d1 : mul_42_d1;
-    wire [23:0] choice_18 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
-    wire [23:0] choice_19 = phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
-    wire [23:0] choice_20 = phase[2] ? choice_18 : phase[1] ? choice_19 : mul_f24_ftz_unit_y;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? add_80_d1 : add_75_d1) : phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_81_d1 : mul_76_d1) : choice_19;
+    wire phase_is_14 = phase == 4'd14;
+    wire queue_in_valid_both = in_flight[1] & end_or_near_plane_below_u_z_d1 & phase_is_14;
+    wire phase_is_15 = phase == 4'd15;
+    wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
+    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
+    wire advance_next = ~advance_next_both;
+    wire end_or_near_plane_below_u_z = end_d2 | lt_f24_ftz_unit_y;
+    wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
+    wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_0_out = attribute_0_bits_is_31_d1 ? attribute_0_out_chosen_d1 : attribute_0_d1;
+    wire attribute_1_bits_is_31 = 5'd31 == in_attribute_1[14:10];
+    wire zero_is_attribute_1_bits = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] attribute_1_out_chosen = zero_is_attribute_1_bits ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_1_out = attribute_1_bits_is_31_d1 ? attribute_1_out_chosen_d1 : attribute_1_d1;
+    wire attribute_2_bits_is_31 = 5'd31 == in_attribute_2[14:10];
+    wire zero_is_attribute_2_bits = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] attribute_2_out_chosen = zero_is_attribute_2_bits ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire [15:0] attribute_2_out = attribute_2_bits_is_31_d1 ? attribute_2_out_chosen_d1 : attribute_2_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[2] ? (phase[1] ? (phase[0] ? m02 : m22) : phase[0] ? m12 : m02) : phase[1] ? m20 : phase[0] ? m10 : m00;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? (phase[0] ? m20 : m10) : phase[0] ? m00 : m12) : phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m00 : m20;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? tangent2_z_d1 : tangent1_z_d1) : tangent1_z_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? tangent1_x_d1 : phase[0] ? tangent1_x_d1 : center_z_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_z_d1 : center_x_d1) : phase[0] ? center_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m12) : phase[1] ? m21 : phase[0] ? m11 : m01;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? (phase[1] ? (phase[0] ? m21 : m11) : phase[0] ? m01 : m22) : phase[1] ? (phase[0] ? m22 : m11) : phase[0] ? m01 : m21;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? tangent1_y_d1 : phase[0] ? tangent1_y_d1 : center_z_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_z_d1 : center_y_d1) : phase[0] ? center_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_f24_ftz_unit_y : m03;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m23 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : m12_times_center_z_d1) : phase[0] ? m02_times_center_z_d1 : m22_times_center_z_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice_2 : phase[1] ? add_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? v2_z_sum_d1 : v2_y_sum_d1) : phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m22_times_tangent2_z_d1 : m12_times_tangent2_z_d1) : add_f24_ftz_unit_b_choice_3;
 
     assign in_ready = load_0;
     assign out_valid = queue_out_valid;
@@ -7052,11 +6865,10 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w265 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_2), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d2, add_44_d1, add_45_d1, add_46_d1, add_54_d1, add_59_d1, add_64_d1, add_72_d1, add_77_d1,
-            add_f24_ftz_unit_copy2_y, select_96_d1, select_104_d1, select_112_d1
+            end_d2, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, add_f24_ftz_unit_copy2_y,
+            attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7125,62 +6937,62 @@ module splat_transform (
             attribute_0_d1 <= in_attribute_0;
             attribute_1_d1 <= in_attribute_1;
             attribute_2_d1 <= in_attribute_2;
-            reinterpret_26_d1 <= in_center_x;
-            reinterpret_27_d1 <= in_center_y;
-            reinterpret_28_d1 <= in_center_z;
-            reinterpret_47_d1 <= in_tangent1_x;
-            reinterpret_48_d1 <= in_tangent1_y;
-            reinterpret_49_d1 <= in_tangent1_z;
-            reinterpret_65_d1 <= in_tangent2_x;
-            reinterpret_66_d1 <= in_tangent2_y;
-            reinterpret_67_d1 <= in_tangent2_z;
-            equal_89_d1 <= equal_89;
-            select_95_d1 <= select_95;
-            equal_100_d1 <= equal_100;
-            select_103_d1 <= select_103;
-            equal_108_d1 <= equal_108;
-            select_111_d1 <= select_111;
+            center_x_d1 <= in_center_x;
+            center_y_d1 <= in_center_y;
+            center_z_d1 <= in_center_z;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_z_d1 <= in_tangent2_z;
+            attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
+            attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
+            attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
+            attribute_1_out_chosen_d1 <= attribute_1_out_chosen;
+            attribute_2_bits_is_31_d1 <= attribute_2_bits_is_31;
+            attribute_2_out_chosen_d1 <= attribute_2_out_chosen;
         end
         if (load_8) begin
-            mul_32_d1 <= mul_f24_ftz_unit_y;
-            mul_42_d1 <= mul_f24_ftz_unit_copy2_y;
-            add_54_d1 <= add_f24_ftz_unit_y;
+            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m22_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            v1_x_d1 <= add_f24_ftz_unit_y;
         end
         if (load_9) begin
-            mul_37_d1 <= mul_f24_ftz_unit_y;
-            add_59_d1 <= add_f24_ftz_unit_y;
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            v1_y_d1 <= add_f24_ftz_unit_y;
         end
         if (load_11) begin
-            add_44_d1 <= add_f24_ftz_unit_y;
-            add_72_d1 <= add_f24_ftz_unit_copy2_y;
+            u_x_d1 <= add_f24_ftz_unit_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (load_12) begin
-            add_45_d1 <= add_f24_ftz_unit_copy2_y;
-            or_84_d1 <= or_84;
+            u_y_d1 <= add_f24_ftz_unit_copy2_y;
+            end_or_near_plane_below_u_z_d1 <= end_or_near_plane_below_u_z;
         end
         if (load_10) begin
-            add_46_d1 <= add_f24_ftz_unit_y;
-            add_64_d1 <= add_f24_ftz_unit_copy2_y;
+            u_z_d1 <= add_f24_ftz_unit_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
         end
-        if (load_5) add_75_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_1) mul_76_d1 <= mul_f24_ftz_unit_copy2_y;
-        if (load_13) add_77_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_6) add_80_d1 <= add_f24_ftz_unit_y;
-        if (load_2) mul_81_d1 <= mul_f24_ftz_unit_copy2_y;
+        if (load_5) v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+        if (load_1) m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+        if (load_13) v2_y_d1 <= add_f24_ftz_unit_copy2_y;
+        if (load_6) v2_z_sum_d1 <= add_f24_ftz_unit_y;
+        if (load_2) m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
         if (load_14) begin
-            select_96_d1 <= select_96;
-            select_104_d1 <= select_104;
-            select_112_d1 <= select_112;
+            attribute_0_out_d1 <= attribute_0_out;
+            attribute_1_out_d1 <= attribute_1_out;
+            attribute_2_out_d1 <= attribute_2_out;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[3] ? choice_5 : choice_6;
-            mul_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_7 : reinterpret_65_d1) : phase[2] ? choice_8 : choice_9;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? choice_10 : choice_11;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? reinterpret_67_d1 : reinterpret_66_d1) : phase[2] ? choice_12 : choice_13;
-            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_14 : mul_f24_ftz_unit_y) : phase[2] ? choice_15 : choice_16;
-            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_17 : mul_f24_ftz_unit_copy2_y) : choice_20;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_y : add_80_d1) : phase[2] ? choice_21 : add_f24_ftz_unit_copy2_y;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_copy2_y : mul_81_d1) : phase[2] ? choice_22 : mul_f24_ftz_unit_y;
+            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+            mul_f24_ftz_unit_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_b_choice : tangent2_x_d1) : mul_f24_ftz_unit_b_choice_4;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? tangent2_z_d1 : tangent2_y_d1) : mul_f24_ftz_unit_copy2_b_choice_3;
+            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? add_f24_ftz_unit_a_choice : mul_f24_ftz_unit_y) : add_f24_ftz_unit_a_choice_4;
+            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_b_choice_4;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_y : v2_z_sum_d1) : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[2] ? add_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_y;
         end
     end
 
@@ -7201,137 +7013,74 @@ module splat_transform (
         end
     end
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(load_0 == (queue_in_ready & (phase == 4'd0)))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                load_0_in_phase: assert (0);
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 4'd0)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 4'd1)));
+        load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 4'd2)));
+        load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 4'd3)));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 4'd4)));
+        load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 4'd5)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 4'd6)));
+        load_7_in_phase: assert (load_7 == (queue_in_ready & (phase == 4'd7)));
+        load_8_in_phase: assert (load_8 == (queue_in_ready & (phase == 4'd8)));
+        load_9_in_phase: assert (load_9 == (queue_in_ready & (phase == 4'd9)));
+        load_10_in_phase: assert (load_10 == (queue_in_ready & (phase == 4'd10)));
+        load_11_in_phase: assert (load_11 == (queue_in_ready & (phase == 4'd11)));
+        load_12_in_phase: assert (load_12 == (queue_in_ready & (phase == 4'd12)));
+        load_13_in_phase: assert (load_13 == (queue_in_ready & (phase == 4'd13)));
+        load_14_in_phase: assert (load_14 == (queue_in_ready & phase_is_14));
+        load_15_in_phase: assert (load_15 == (queue_in_ready & phase_is_15));
 `else
-                $display("assertion failed: load_0_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
-`ifdef FORMAL
-                load_1_in_phase: assert (0);
-`else
-                $display("assertion failed: load_1_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
-`ifdef FORMAL
-                load_2_in_phase: assert (0);
-`else
-                $display("assertion failed: load_2_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
-`ifdef FORMAL
-                load_3_in_phase: assert (0);
-`else
-                $display("assertion failed: load_3_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
-`ifdef FORMAL
-                load_4_in_phase: assert (0);
-`else
-                $display("assertion failed: load_4_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
-`ifdef FORMAL
-                load_5_in_phase: assert (0);
-`else
-                $display("assertion failed: load_5_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
-`ifdef FORMAL
-                load_6_in_phase: assert (0);
-`else
-                $display("assertion failed: load_6_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
-`ifdef FORMAL
-                load_7_in_phase: assert (0);
-`else
-                $display("assertion failed: load_7_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
-`ifdef FORMAL
-                load_8_in_phase: assert (0);
-`else
-                $display("assertion failed: load_8_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
-`ifdef FORMAL
-                load_9_in_phase: assert (0);
-`else
-                $display("assertion failed: load_9_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
-`ifdef FORMAL
-                load_10_in_phase: assert (0);
-`else
-                $display("assertion failed: load_10_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
-`ifdef FORMAL
-                load_11_in_phase: assert (0);
-`else
-                $display("assertion failed: load_11_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
-`ifdef FORMAL
-                load_12_in_phase: assert (0);
-`else
-                $display("assertion failed: load_12_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
-`ifdef FORMAL
-                load_13_in_phase: assert (0);
-`else
-                $display("assertion failed: load_13_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_14 == (queue_in_ready & term_1))) begin
-`ifdef FORMAL
-                load_14_in_phase: assert (0);
-`else
-                $display("assertion failed: load_14_in_phase in %m");
-                $stop;
-`endif
-            end
-            if (!(load_15 == (queue_in_ready & term_3))) begin
-`ifdef FORMAL
-                load_15_in_phase: assert (0);
-`else
-                $display("assertion failed: load_15_in_phase in %m");
-                $stop;
-`endif
-            end
+        if (!(load_0 == (queue_in_ready & (phase == 4'd0)))) begin
+            $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
+        if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
+            $display("assertion failed: load_1_in_phase in %m"); $stop;
+        end
+        if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
+            $display("assertion failed: load_2_in_phase in %m"); $stop;
+        end
+        if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
+            $display("assertion failed: load_3_in_phase in %m"); $stop;
+        end
+        if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
+            $display("assertion failed: load_4_in_phase in %m"); $stop;
+        end
+        if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
+            $display("assertion failed: load_5_in_phase in %m"); $stop;
+        end
+        if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
+            $display("assertion failed: load_6_in_phase in %m"); $stop;
+        end
+        if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
+            $display("assertion failed: load_7_in_phase in %m"); $stop;
+        end
+        if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
+            $display("assertion failed: load_8_in_phase in %m"); $stop;
+        end
+        if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
+            $display("assertion failed: load_9_in_phase in %m"); $stop;
+        end
+        if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
+            $display("assertion failed: load_10_in_phase in %m"); $stop;
+        end
+        if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
+            $display("assertion failed: load_11_in_phase in %m"); $stop;
+        end
+        if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
+            $display("assertion failed: load_12_in_phase in %m"); $stop;
+        end
+        if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
+            $display("assertion failed: load_13_in_phase in %m"); $stop;
+        end
+        if (!(load_14 == (queue_in_ready & phase_is_14))) begin
+            $display("assertion failed: load_14_in_phase in %m"); $stop;
+        end
+        if (!(load_15 == (queue_in_ready & phase_is_15))) begin
+            $display("assertion failed: load_15_in_phase in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -7340,24 +7089,21 @@ endmodule
 // stages = 2
 // format = f24-ftz
 module float_lt_s2_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_3 = {a[22:15], term_1};
-    wire [22:0] joined_4 = {b[22:15], term_2};
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
-            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} < {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -7367,10 +7113,7 @@ endmodule
 // stages = 6
 // format = f24-ftz
 module float_add_s6_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
@@ -7389,94 +7132,94 @@ module float_add_s6_f24ftz (
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] joined_1 = {|b_field, b_fraction & {15{|b_field}}};
+    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] joined_2 = {|a_field, a_fraction & {15{|a_field}}};
-    wire [18:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [18:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [18:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [18:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [18:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [18:0] joined_10 = {choice_7[18:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[23] ^ b[23];
-    wire [20:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 15'd0);
-    wire term_14 = &b_field & (b_fraction == 15'd0);
-    wire term_15 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_16 = term_15 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_17 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[13] & ~sum_s3[12]));
-    wire term_19 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_20 = term_19 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_21 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[5] & ~sum_s3[4])));
-    wire term_23 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_24 = term_23 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_25 = term_24 ? 2'd0 : {term_23, term_23 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_26 = term_20 ? {term_21, term_21 ? ~sum_s3[5] : ~sum_s3[7]} : {term_19, term_19 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [1:0] choice_27 = term_16 ? {term_17, term_17 ? ~sum_s3[13] : ~sum_s3[15]} : {term_15, term_15 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [3:0] joined_28 = {term_18, term_18 ? {term_20, choice_26} : {term_16, choice_27}};
-    wire [19:0] shifted_29 = value_s4 << zeros_s4;
-    wire term_30 = sum_s3 == 20'd0;
-    wire term_31 = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
-    wire term_32 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [18:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [18:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_23_xor_b_23 = a[23] ^ b[23];
+    wire [20:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zeros_s4_both = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_3 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_5 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_7 = zeros_s4_both_6 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire zeros_s4_both_8 = zeros_s4_both_4 & zeros_s4_both_7;
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_9 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_6 ? zeros_s4_bits_2 : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [1:0] zeros_s4_choice_2 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [2:0] zeros_s4_choice_3 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice} : {zeros_s4_both_2, zeros_s4_choice_2};
+    wire [3:0] zeros_s4_choice_4 = zeros_s4_both_8 ? {1'd0, zeros_s4_both_9, zeros_s4_both_9 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_4, zeros_s4_choice_3};
+    wire [19:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 20'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [22:0] rounded = {exponent_s5[7:0], significand_s5[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_33 = (zero_s5 | ((exponent_s5[9] | term_31) & ~infinite_s5)) ? 23'd0 : term_32 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
+            subtract_s1 <= a_23_xor_b_23;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[20:1];
+            sum_s3 <= sum_s3_sum[20:1];
             sign_s1 <= swap ? b[23] : a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_23_xor_b_23);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? {1'd0, term_24, choice_25} : joined_28};
+            zeros_s4 <= {zeros_s4_both_8, zeros_s4_choice_4};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_29[19:3], |shifted_29[2:0]};
-            sign_s4 <= sign_s3 & ~(term_30 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[19:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_30 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 24'h7fc000 : {sign_s5, choice_33};
+            y <= nan_s5 ? 24'h7fc000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_s3_sum[0]};
 endmodule
 
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
 module float_mul_s4_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -7491,17 +7234,17 @@ module float_mul_s4_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
-    wire term_8 = infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire y_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3)) ? 23'd0 : term_8 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s3 | ((exponent_s3[9] | y_both) & ~infinite_s3)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -7511,20 +7254,20 @@ module float_mul_s4_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= nan_s3 ? 24'h7fc000 : {sign_s3, choice_9};
+            y <= nan_s3 ? 24'h7fc000 : {sign_s3, y_choice_2};
         end
     end
 
@@ -7534,14 +7277,9 @@ endmodule
 // Queue of two in registers.
 // width = 265
 module stream_skid_w265 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [264:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [264:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [264:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [264:0] out_data
 );
     reg second_valid;
     reg [264:0] head, second;
@@ -7567,17 +7305,14 @@ module stream_skid_w265 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

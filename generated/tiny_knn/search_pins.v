@@ -3,10 +3,8 @@
 
 // A unit between registers, behind few pins.
 module search_pins (
-    input  wire clk,
-    input  wire rst,
-    input  wire serial_in,
-    output wire serial_out
+    input  wire clk, input wire rst,
+    input  wire serial_in, output wire serial_out
 );
     reg drive_tree_valid, drive_tree_is_leaf;
     reg [5:0] drive_tree_address;
@@ -52,38 +50,36 @@ module search_pins (
     wire unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert, unit_event_insert_wait;
     wire unit_event_thread_wait;
 
-    wire term_1 = drive_result_ready ^ catch_event_thread_wait ^ catch_event_insert_wait;
-    wire term_2 = catch_event_beat ^ catch_event_pop ^ catch_event_node ^ catch_result_distance2[0];
-    wire term_3 = catch_result_distance2[1] ^ catch_result_distance2[2] ^ catch_result_distance2[3];
-    wire term_4 = catch_result_distance2[5] ^ catch_result_distance2[6] ^ catch_result_distance2[7];
-    wire term_5 = catch_result_distance2[9] ^ catch_result_distance2[10] ^ catch_result_distance2[11];
-    wire term_6 = catch_result_distance2[13] ^ catch_result_distance2[14] ^ catch_result_distance2[15];
-    wire term_7 = catch_result_distance2[17] ^ catch_result_distance2[18] ^ catch_result_distance2[19];
-    wire term_8 = catch_result_distance2[21] ^ catch_result_distance2[22] ^ catch_result_distance2[23];
-    wire term_9 = catch_result_index[1] ^ catch_result_index[2] ^ catch_result_index[3];
-    wire term_10 = catch_result_index[5] ^ catch_result_index[6] ^ catch_result_index[7];
-    wire term_11 = catch_result_index[9] ^ catch_result_index[10] ^ catch_result_index[11];
-    wire term_12 = catch_result_index[13] ^ catch_result_index[14] ^ catch_result_index[15];
-    wire term_13 = catch_result_last ^ catch_result_number[0] ^ catch_result_number[1];
-    wire term_14 = catch_result_number[3] ^ catch_result_number[4] ^ catch_result_number[5];
-    wire term_15 = catch_result_number[7] ^ catch_result_number[8] ^ catch_result_number[9];
-    wire term_16 = catch_result_number[11] ^ catch_result_number[12] ^ catch_result_number[13];
-    wire term_17 = catch_result_number[15] ^ catch_result_valid ^ catch_beat_ready;
-    wire term_18 = catch_fetch_beats[1] ^ catch_fetch_beats[2] ^ catch_fetch_beats[3];
-    wire term_19 = catch_fetch_address[1] ^ catch_fetch_address[2] ^ catch_fetch_address[3];
-    wire term_20 = catch_fetch_address[5] ^ catch_fetch_address[6] ^ catch_fetch_address[7];
-    wire term_21 = catch_fetch_address[9] ^ catch_fetch_address[10] ^ catch_fetch_address[11];
-    wire term_22 = catch_fetch_address[13] ^ catch_fetch_address[14] ^ catch_fetch_address[15];
-    wire term_23 = catch_fetch_thread[1] ^ catch_fetch_valid ^ catch_query_ready;
+    wire fold_0_unequal = drive_result_ready ^ catch_event_thread_wait ^ catch_event_insert_wait;
+    wire fold_0_unequal_2 = catch_event_beat ^ catch_event_pop ^ catch_event_node ^ catch_result_distance2[0];
+    wire fold_0_unequal_3 = catch_result_distance2[1] ^ catch_result_distance2[2] ^ catch_result_distance2[3];
+    wire fold_0_unequal_4 = catch_result_distance2[5] ^ catch_result_distance2[6] ^ catch_result_distance2[7];
+    wire fold_0_unequal_5 = catch_result_distance2[9] ^ catch_result_distance2[10] ^ catch_result_distance2[11];
+    wire fold_0_unequal_6 = catch_result_distance2[13] ^ catch_result_distance2[14] ^ catch_result_distance2[15];
+    wire fold_0_unequal_7 = catch_result_distance2[17] ^ catch_result_distance2[18] ^ catch_result_distance2[19];
+    wire fold_0_unequal_8 = catch_result_distance2[21] ^ catch_result_distance2[22] ^ catch_result_distance2[23];
+    wire fold_0_unequal_9 = catch_result_index[1] ^ catch_result_index[2] ^ catch_result_index[3];
+    wire fold_0_unequal_10 = catch_result_index[5] ^ catch_result_index[6] ^ catch_result_index[7];
+    wire fold_0_unequal_11 = catch_result_index[9] ^ catch_result_index[10] ^ catch_result_index[11];
+    wire fold_0_unequal_12 = catch_result_index[13] ^ catch_result_index[14] ^ catch_result_index[15];
+    wire fold_0_unequal_13 = catch_result_last ^ catch_result_number[0] ^ catch_result_number[1];
+    wire fold_0_unequal_14 = catch_result_number[3] ^ catch_result_number[4] ^ catch_result_number[5];
+    wire fold_0_unequal_15 = catch_result_number[7] ^ catch_result_number[8] ^ catch_result_number[9];
+    wire fold_0_unequal_16 = catch_result_number[11] ^ catch_result_number[12] ^ catch_result_number[13];
+    wire fold_0_unequal_17 = catch_result_number[15] ^ catch_result_valid ^ catch_beat_ready ^ catch_fetch_beats[0];
+    wire fold_0_unequal_18 = catch_fetch_beats[1] ^ catch_fetch_beats[2] ^ catch_fetch_beats[3];
+    wire fold_0_unequal_19 = catch_fetch_address[1] ^ catch_fetch_address[2] ^ catch_fetch_address[3];
+    wire fold_0_unequal_20 = catch_fetch_address[5] ^ catch_fetch_address[6] ^ catch_fetch_address[7];
+    wire fold_0_unequal_21 = catch_fetch_address[9] ^ catch_fetch_address[10] ^ catch_fetch_address[11];
+    wire fold_0_unequal_22 = catch_fetch_address[13] ^ catch_fetch_address[14] ^ catch_fetch_address[15];
 
     assign serial_out = fold_3;
 
     search_top unit (
-        .clk(clk), .rst(rst),
-        .tree_valid(drive_tree_valid), .tree_is_leaf(drive_tree_is_leaf), .tree_address(drive_tree_address),
-        .tree_split(drive_tree_split), .tree_dimension(drive_tree_dimension),
-        .tree_internal_leaf(drive_tree_internal_leaf), .tree_begin(drive_tree_begin),
-        .tree_beats(drive_tree_beats),
+        .clk(clk), .rst(rst), .tree_valid(drive_tree_valid), .tree_is_leaf(drive_tree_is_leaf),
+        .tree_address(drive_tree_address), .tree_split(drive_tree_split),
+        .tree_dimension(drive_tree_dimension), .tree_internal_leaf(drive_tree_internal_leaf),
+        .tree_begin(drive_tree_begin), .tree_beats(drive_tree_beats),
         .query_valid(drive_query_valid), .query_ready(unit_query_ready), .query_number(drive_query_number),
         .query_k(drive_query_k), .query_radius2(drive_query_radius2), .query_x(drive_query_x),
         .query_y(drive_query_y), .query_z(drive_query_z),
@@ -144,15 +140,18 @@ module search_pins (
         catch_event_insert_wait <= unit_event_insert_wait;
         catch_event_thread_wait <= unit_event_thread_wait;
         fold_0 <= {
-            term_1 ^ catch_event_insert, term_2, term_3 ^ catch_result_distance2[4],
-            term_4 ^ catch_result_distance2[8], term_5 ^ catch_result_distance2[12],
-            term_6 ^ catch_result_distance2[16], term_7 ^ catch_result_distance2[20],
-            term_8 ^ catch_result_index[0], term_9 ^ catch_result_index[4], term_10 ^ catch_result_index[8],
-            term_11 ^ catch_result_index[12], term_12 ^ catch_result_found, term_13 ^ catch_result_number[2],
-            term_14 ^ catch_result_number[6], term_15 ^ catch_result_number[10],
-            term_16 ^ catch_result_number[14], term_17 ^ catch_fetch_beats[0], term_18 ^ catch_fetch_address[0],
-            term_19 ^ catch_fetch_address[4], term_20 ^ catch_fetch_address[8], term_21 ^ catch_fetch_address[12],
-            term_22 ^ catch_fetch_thread[0], term_23
+            fold_0_unequal ^ catch_event_insert, fold_0_unequal_2, fold_0_unequal_3 ^ catch_result_distance2[4],
+            fold_0_unequal_4 ^ catch_result_distance2[8], fold_0_unequal_5 ^ catch_result_distance2[12],
+            fold_0_unequal_6 ^ catch_result_distance2[16], fold_0_unequal_7 ^ catch_result_distance2[20],
+            fold_0_unequal_8 ^ catch_result_index[0], fold_0_unequal_9 ^ catch_result_index[4],
+            fold_0_unequal_10 ^ catch_result_index[8], fold_0_unequal_11 ^ catch_result_index[12],
+            fold_0_unequal_12 ^ catch_result_found, fold_0_unequal_13 ^ catch_result_number[2],
+            fold_0_unequal_14 ^ catch_result_number[6], fold_0_unequal_15 ^ catch_result_number[10],
+            fold_0_unequal_16 ^ catch_result_number[14], fold_0_unequal_17,
+            fold_0_unequal_18 ^ catch_fetch_address[0], fold_0_unequal_19 ^ catch_fetch_address[4],
+            fold_0_unequal_20 ^ catch_fetch_address[8], fold_0_unequal_21 ^ catch_fetch_address[12],
+            fold_0_unequal_22 ^ catch_fetch_thread[0],
+            catch_fetch_thread[1] ^ catch_fetch_valid ^ catch_query_ready
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

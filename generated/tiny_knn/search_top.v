@@ -3,8 +3,7 @@
 
 // Neighbor search: queries in, nearest neighbors out.
 module search_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire tree_valid,  // Write to the tree memories, not while a query is under way.
     input  wire tree_is_leaf,  // Chooses the leaf table, else the node memory.
     input  wire [5:0] tree_address,  // The leaf's number or the node.
@@ -127,10 +126,9 @@ module search_top (
     assign event_thread_wait = threads_event_thread_wait;
 
     search_threads threads (
-        .clk(clk), .rst(rst),
-        .query_valid(query_valid), .query_ready(threads_query_ready), .query_number(query_number),
-        .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y),
-        .query_z(query_z),
+        .clk(clk), .rst(rst), .query_valid(query_valid), .query_ready(threads_query_ready),
+        .query_number(query_number), .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x),
+        .query_y(query_y), .query_z(query_z),
         .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
@@ -148,8 +146,7 @@ module search_top (
     );
 
     search_traversal traversal (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
@@ -168,16 +165,14 @@ module search_top (
     );
 
     search_stack stack (
-        .clk(clk), .rst(rst),
-        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .clk(clk), .rst(rst), .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
         .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
         .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
         .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2)
     );
 
     search_recursion recursion (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
@@ -192,10 +187,9 @@ module search_top (
     );
 
     search_leaf leaf (
-        .clk(clk), .rst(rst),
-        .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
-        .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
-        .tree_begin(tree_begin), .tree_beats(tree_beats),
+        .clk(clk), .rst(rst), .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf),
+        .tree_address(tree_address), .tree_split(tree_split), .tree_dimension(tree_dimension),
+        .tree_internal_leaf(tree_internal_leaf), .tree_begin(tree_begin), .tree_beats(tree_beats),
         .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
         .fetch_valid(leaf_fetch_valid), .fetch_ready(fetch_ready), .fetch_thread(leaf_fetch_thread),
@@ -212,8 +206,7 @@ module search_top (
     );
 
     search_sieve sieve (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
@@ -227,8 +220,7 @@ module search_top (
     );
 
     search_queue queue (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .candidates_valid(sieve_kept_valid), .candidates_ready(queue_candidates_ready),
@@ -252,8 +244,7 @@ endmodule
 // neighbors = 8
 // lanes = 1
 module search_queue (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [1:0] start_thread,  // Thread.
     input  wire [15:0] start_number,  // Its number, which its results bear.
@@ -299,15 +290,15 @@ module search_queue (
     reg [327:0] working;
     reg [3:0] fresh;
     reg beat_valid, beat_reads, beat_pending;
-    reg [1:0] beat_thread;
-    reg [15:0] beat_address;
-    reg beat_last;
-    reg [23:0] beat_distance0;
+    reg [1:0] beat_thread;  // Thread.
+    reg [15:0] beat_address;  // Address in the point memory.
+    reg beat_last;  // Closes its leaf.
+    reg [23:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [1:0] item_thread;
     reg item_fresh;
-    reg [15:0] new_index;
-    reg [23:0] new_distance2;
+    reg [15:0] new_index;  // The point's place in the point memory.
+    reg [23:0] new_distance2;  // Its squared distance.
     reg [7:0] nearer;
     reg new_last;
     reg [1:0] new_thread;
@@ -318,8 +309,8 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [327:0] stored;
     wire [51:0] query;
-    reg [15:0] item_index;
-    reg [23:0] item_distance2;
+    reg [15:0] item_index;  // The point's place in the point memory.
+    reg [23:0] item_distance2;  // Its squared distance.
     reg [3:0] from_leaf;
     reg [327:0] sent_row;
     reg [15:0] sent_number;
@@ -330,48 +321,49 @@ module search_queue (
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
     wire [3:0] next_position = position + 4'd1;
-    wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
-    wire choice_2 = next_position[1] ? (next_position[0] ? sent_row[163] : sent_row[122]) : next_position[0] ? sent_row[81] : sent_row[40];
-    wire last_result = (position == 4'd7) | ~(next_position[2] ? choice_1 : choice_2);
-    wire choice_3 = position[1] ? (position[0] ? sent_row[327] : sent_row[286]) : position[0] ? sent_row[245] : sent_row[204];
-    wire choice_4 = position[1] ? (position[0] ? sent_row[163] : sent_row[122]) : position[0] ? sent_row[81] : sent_row[40];
-    wire [15:0] choice_5 = position[1] ? (position[0] ? sent_row[326:311] : sent_row[285:270]) : position[0] ? sent_row[244:229] : sent_row[203:188];
-    wire [15:0] choice_6 = position[1] ? (position[0] ? sent_row[162:147] : sent_row[121:106]) : position[0] ? sent_row[80:65] : sent_row[39:24];
-    wire [23:0] choice_7 = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
-    wire [23:0] choice_8 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
+    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
+    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[163] : sent_row[122]) : next_position[0] ? sent_row[81] : sent_row[40];
+    wire last_result = (position == 4'd7) | ~(next_position[2] ? last_result_choice : last_result_choice_2);
+    wire result_found_choice = position[1] ? (position[0] ? sent_row[327] : sent_row[286]) : position[0] ? sent_row[245] : sent_row[204];
+    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[163] : sent_row[122]) : position[0] ? sent_row[81] : sent_row[40];
+    wire [15:0] result_index_choice = position[1] ? (position[0] ? sent_row[326:311] : sent_row[285:270]) : position[0] ? sent_row[244:229] : sent_row[203:188];
+    wire [15:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[162:147] : sent_row[121:106]) : position[0] ? sent_row[80:65] : sent_row[39:24];
+    wire [23:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
+    wire [23:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
     wire write_back = item_reads & owned;
-    wire choice_9 = nearer[7] ? (nearer[6] ? working[286] : 1'd1) : working[327];
-    wire [15:0] choice_10 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_11 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_12 = nearer[6] ? (nearer[5] ? working[245] : 1'd1) : working[286];
-    wire [15:0] choice_13 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_14 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_15 = nearer[5] ? (nearer[4] ? working[204] : 1'd1) : working[245];
-    wire [15:0] choice_16 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_17 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_18 = nearer[4] ? (nearer[3] ? working[163] : 1'd1) : working[204];
-    wire [15:0] choice_19 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_20 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_21 = nearer[3] ? (nearer[2] ? working[122] : 1'd1) : working[163];
-    wire [15:0] choice_22 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_23 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_24 = nearer[2] ? (nearer[1] ? working[81] : 1'd1) : working[122];
-    wire [15:0] choice_25 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_26 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_27 = nearer[1] ? (nearer[0] ? working[40] : 1'd1) : working[81];
-    wire [15:0] choice_28 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_29 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire [15:0] inserted_row_choice = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] radius_radius2_choice = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire [15:0] inserted_row_choice_2 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] inserted_row_choice_3 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire [15:0] inserted_row_choice_4 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] inserted_row_choice_5 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire [15:0] inserted_row_choice_6 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] inserted_row_choice_7 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire [15:0] inserted_row_choice_8 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] inserted_row_choice_9 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire [15:0] inserted_row_choice_10 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] inserted_row_choice_11 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire [15:0] inserted_row_choice_12 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] inserted_row_choice_13 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
     wire [327:0] inserted_row = {
-        choice_9, choice_10, choice_11, choice_12, choice_13, choice_14, choice_15, choice_16, choice_17,
-        choice_18, choice_19, choice_20, choice_21, choice_22, choice_23, choice_24, choice_25, choice_26,
-        choice_27, choice_28, choice_29, nearer[0] ? 1'd1 : working[40],
-        nearer[0] ? new_index : working[39:24], nearer[0] ? new_distance2 : working[23:0]
+        nearer[7] ? (nearer[6] ? working[286] : 1'd1) : working[327], inserted_row_choice,
+        radius_radius2_choice, nearer[6] ? (nearer[5] ? working[245] : 1'd1) : working[286],
+        inserted_row_choice_2, inserted_row_choice_3,
+        nearer[5] ? (nearer[4] ? working[204] : 1'd1) : working[245], inserted_row_choice_4,
+        inserted_row_choice_5, nearer[4] ? (nearer[3] ? working[163] : 1'd1) : working[204],
+        inserted_row_choice_6, inserted_row_choice_7,
+        nearer[3] ? (nearer[2] ? working[122] : 1'd1) : working[163], inserted_row_choice_8,
+        inserted_row_choice_9, nearer[2] ? (nearer[1] ? working[81] : 1'd1) : working[122],
+        inserted_row_choice_10, inserted_row_choice_11,
+        nearer[1] ? (nearer[0] ? working[40] : 1'd1) : working[81], inserted_row_choice_12,
+        inserted_row_choice_13, nearer[0] ? 1'd1 : working[40], nearer[0] ? new_index : working[39:24],
+        nearer[0] ? new_distance2 : working[23:0]
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
     wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire term_30 = candidates_valid & candidates_ready;
+    wire arrivals_write_address_enable_both = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire beat_free = ~beat_valid | moves;
@@ -379,8 +371,7 @@ module search_queue (
     wire [66:0] arrivals_head = arrivals[arrivals_read_address];
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[66:65]);
     wire follows_beat = beat_thread == arrivals_head[66:65];
-    wire term_31 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = |arrivals_count & term_31;
+    wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire [327:0] initial_row = {
         17'd0, query[7] ? 24'd0 : query[31:8], 17'd0, query[6] ? 24'd0 : query[31:8], 17'd0,
         query[5] ? 24'd0 : query[31:8], 17'd0, query[4] ? 24'd0 : query[31:8], 17'd0,
@@ -388,7 +379,7 @@ module search_queue (
         query[1] ? 24'd0 : query[31:8], 17'd0, query[0] ? 24'd0 : query[31:8]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] joined_32 = {
+    wire [3:0] fresh_bits = {
         reads & (beat_thread == 2'd3), reads & (beat_thread == 2'd2), reads & (beat_thread == 2'd1),
         reads & (beat_thread == 2'd0)
     };
@@ -396,49 +387,56 @@ module search_queue (
         start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
         start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] shifted_33 = fresh >> arrivals_head[66:65];
-    wire is_fresh = shifted_33[0];
-    wire choice_34 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [3:0] is_fresh_shifted = fresh >> arrivals_head[66:65];
+    wire is_fresh = is_fresh_shifted[0];
+    wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == arrivals_head[66:65]) & ~choice_34);
-    wire term_35 = ~farthest_will_be_known | (arrivals_head[47:24] < farthest);
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[66:65]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
+    wire beat_pending_both = (arrivals_head[47:24] < arrivals_head[23:0]) & (~farthest_will_be_known | (arrivals_head[47:24] < farthest));
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire term_36 = rest & (~farthest_is_known | (beat_distance0 < farthest));
-    wire left = waits ? beat_pending : term_36;
-    wire [3:0] shifted_37 = fresh >> beat_thread;
-    wire [7:0] joined_38 = {
+    wire left = waits ? beat_pending : (rest & (~farthest_is_known | (beat_distance0 < farthest)));
+    wire [3:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
+    wire [7:0] nearer_entries_bits = {
         item_distance2 < stored[310:287], item_distance2 < stored[269:246], item_distance2 < stored[228:205],
         item_distance2 < stored[187:164], item_distance2 < stored[146:123], item_distance2 < stored[105:82],
         item_distance2 < stored[64:41], item_distance2 < stored[23:0]
     };
-    wire term_39 = item_distance2 < working[269:246];
-    wire term_40 = item_distance2 < new_distance2;
-    wire choice_41 = nearer[7] ? (nearer[6] ? term_39 : term_40) : (item_distance2 < working[310:287]);
-    wire term_42 = item_distance2 < working[228:205];
-    wire term_43 = item_distance2 < working[187:164];
-    wire term_44 = item_distance2 < working[146:123];
-    wire term_45 = item_distance2 < working[105:82];
-    wire term_46 = item_distance2 < working[64:41];
-    wire term_47 = item_distance2 < working[23:0];
-    wire [7:0] joined_48 = {
-        choice_41, nearer[6] ? (nearer[5] ? term_42 : term_40) : term_39,
-        nearer[5] ? (nearer[4] ? term_43 : term_40) : term_42,
-        nearer[4] ? (nearer[3] ? term_44 : term_40) : term_43,
-        nearer[3] ? (nearer[2] ? term_45 : term_40) : term_44,
-        nearer[2] ? (nearer[1] ? term_46 : term_40) : term_45,
-        nearer[1] ? (nearer[0] ? term_47 : term_40) : term_46, nearer[0] ? term_40 : term_47
+    wire nearer_entries_in_order = item_distance2 < working[269:246];
+    wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
+    wire nearer_entries_choice = nearer[7] ? (nearer[6] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[310:287]);
+    wire nearer_entries_in_order_3 = item_distance2 < working[228:205];
+    wire nearer_entries_choice_2 = nearer[5] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_4 = item_distance2 < working[187:164];
+    wire nearer_entries_choice_3 = nearer[4] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_5 = item_distance2 < working[146:123];
+    wire nearer_entries_choice_4 = nearer[3] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_6 = item_distance2 < working[105:82];
+    wire nearer_entries_choice_5 = nearer[2] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_7 = item_distance2 < working[64:41];
+    wire nearer_entries_choice_6 = nearer[1] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_8 = item_distance2 < working[23:0];
+    wire nearer_entries_choice_7 = nearer[0] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_8 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_8;
+    wire [7:0] nearer_entries_bits_2 = {
+        nearer_entries_choice, nearer[6] ? nearer_entries_choice_2 : nearer_entries_in_order,
+        nearer[5] ? nearer_entries_choice_3 : nearer_entries_in_order_3,
+        nearer[4] ? nearer_entries_choice_4 : nearer_entries_in_order_4,
+        nearer[3] ? nearer_entries_choice_5 : nearer_entries_in_order_5,
+        nearer[2] ? nearer_entries_choice_6 : nearer_entries_in_order_6,
+        nearer[1] ? nearer_entries_choice_7 : nearer_entries_in_order_7, nearer_entries_choice_8
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? ~query[7:0] : joined_38) : joined_48;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? ~query[7:0] : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [3:0] shifted_49 = fresh >> finish_queue_out_data;
+    wire [3:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
     wire [3:0] leaf_set = {
         radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_50 = from_leaf >> candidates_thread;
+    wire [3:0] arrivals_data_shifted = from_leaf >> candidates_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [23:0] query_radius2 = query_radii[candidates_thread];
 
@@ -446,20 +444,18 @@ module search_queue (
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
-    assign result_found = position[2] ? choice_3 : choice_4;
-    assign result_index = position[2] ? choice_5 : choice_6;
-    assign result_distance2 = position[2] ? choice_7 : choice_8;
+    assign result_found = position[2] ? result_found_choice : result_found_choice_2;
+    assign result_index = position[2] ? result_index_choice : result_index_choice_2;
+    assign result_distance2 = position[2] ? result_distance2_choice : result_distance2_choice_2;
     assign event_insert_wait = 1'd0;
 
     memory_1w1r #(.WIDTH(328), .DEPTH(4)) rows (
-        .clk(clk),
-        .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
     memory_1w1r #(.WIDTH(52), .DEPTH(4)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
         .write_data({
             start_number, start_k, start_radius2, start_k < 4'd1, start_k < 4'd2, start_k < 4'd3, start_k < 4'd4,
             start_k < 4'd5, start_k < 4'd6, start_k < 4'd7, start_k < 4'd8
@@ -468,8 +464,8 @@ module search_queue (
     );
 
     stream_skid_w2 finish_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(finish_valid), .in_ready(finish_queue_in_ready), .in_data(finish_thread),
+        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_queue_in_ready),
+        .in_data(finish_thread),
         .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
@@ -498,11 +494,11 @@ module search_queue (
             released_valid <= 1'd0;
             event_beat <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, term_30}) - {1'd0, take};
+            arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_32) | query_set;
+            fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | waits;
-            beat_reads <= take ? choice_34 : (beat_reads & waits);
+            beat_reads <= take ? farthest_will_be_known_choice : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
@@ -518,25 +514,27 @@ module search_queue (
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             released_valid <= fetching;
             event_beat <= moves;
-            if (term_30) arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (arrivals_write_address_enable_both) begin
+                arrivals_write_address <= arrivals_write_address + 1'd1;
+            end
             if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? ((arrivals_head[47:24] < arrivals_head[23:0]) & term_35) : left;
+        beat_pending <= take ? beat_pending_both : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_37[0];
+        item_fresh <= fresh_shifted_by_beat_thread[0];
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_11;
-        farthest <= choice_11;
+        radius_radius2 <= radius_radius2_choice;
+        farthest <= radius_radius2_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_49[0];
+        fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
         released_thread <= readout_thread;
@@ -556,58 +554,43 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (term_30) begin
+        if (arrivals_write_address_enable_both) begin
             arrivals[arrivals_write_address] <= {
                 candidates_thread, candidates_address, candidates_last, candidates_distance0,
-                shifted_50[0] ? leaf_radius2 : query_radius2
+                arrivals_data_shifted[0] ? leaf_radius2 : query_radius2
             };
         end
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, shifted_33[3:1], shifted_37[3:1], shifted_49[3:1], shifted_50[3:1], start_x, start_y, start_z
+        1'b0, arrivals_data_shifted[3:1], fetch_from_nothing_shifted[3:1], fresh_shifted_by_beat_thread[3:1],
+        is_fresh_shifted[3:1], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
-    wire term_51 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [3:0] shifted_52 = fresh >> readout_thread;
+    wire [3:0] check_shifted = fresh >> readout_thread;
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~fetching | term_51)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                a_fetched_row_stays_where_it_is: assert (0);
+        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
+        a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
+        idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
-                $display("assertion failed: a_fetched_row_stays_where_it_is in %m");
-                $stop;
-`endif
-            end
-            if (!(~fetching | (fetch_from_nothing == shifted_52[0]))) begin
-`ifdef FORMAL
-                a_fetched_row_stays_fresh: assert (0);
-`else
-                $display("assertion failed: a_fetched_row_stays_fresh in %m");
-                $stop;
-`endif
-            end
-            if (!(readout_idle == ~(fetching | sending))) begin
-`ifdef FORMAL
-                idle_when_neither: assert (0);
-`else
-                $display("assertion failed: idle_when_neither in %m");
-                $stop;
-`endif
-            end
+        if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
+            $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
+        if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
+            $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
+        end
+        if (!(readout_idle == ~(fetching | sending))) begin
+            $display("assertion failed: idle_when_neither in %m"); $stop;
+        end
+`endif
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_52[3:1]};
+    wire _unused_by_checks = &{1'b0, check_shifted[3:1]};
 `endif
 endmodule
 
@@ -616,8 +599,7 @@ endmodule
 // lanes = 1
 // depth = 4
 module search_sieve (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [1:0] start_thread,  // Thread.
     input  wire [15:0] start_number,  // Its number, which its results bear.
@@ -649,19 +631,19 @@ module search_sieve (
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg s1_valid;
-    reg [1:0] s1_thread;
-    reg [15:0] s1_address;
-    reg s1_last;
-    reg [23:0] s1_distance0;
+    reg [1:0] s1_thread;  // Thread.
+    reg [15:0] s1_address;  // Address in the point memory.
+    reg s1_last;  // Closes its leaf.
+    reg [23:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
     reg [3:0] from_leaf;
     reg [23:0] radius2;
     reg s2_valid, s2_survives;
-    reg [1:0] s2_thread;
-    reg [15:0] s2_address;
-    reg s2_last;
-    reg [23:0] s2_distance0;
+    reg [1:0] s2_thread;  // Thread.
+    reg [15:0] s2_address;  // Address in the point memory.
+    reg s2_last;  // Closes its leaf.
+    reg [23:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
     reg held_valid, held_last;
-    reg [1:0] held_thread;
+    reg [1:0] held_thread;  // Thread.
     reg [15:0] held_address;
     reg [23:0] held_distance0;
 
@@ -689,7 +671,7 @@ module search_sieve (
         radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
+    wire [3:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
     wire keep = near & proceeds;
@@ -701,15 +683,13 @@ module search_sieve (
     assign {kept_thread, kept_address, kept_last, kept_distance0} = kept_queue_out_data;
 
     stream_skid_w43 candidates_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
         .in_data({candidates_thread, candidates_address, candidates_last, candidates_distance0}),
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
     stream_fifo_d4_w43 kept_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(leaves), .in_ready(kept_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({held_thread, held_address, held_last, held_distance0}),
         .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
@@ -735,7 +715,7 @@ module search_sieve (
             s1_address <= candidates_queue_out_address;
             s1_last <= candidates_queue_out_last;
             s1_distance0 <= candidates_queue_out_distance0;
-            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+            radius2 <= radius2_shifted[0] ? leaf_radius2 : query_radius2;
         end
         if (decides) begin
             s2_survives <= s1_distance0 < radius2;
@@ -752,28 +732,19 @@ module search_sieve (
         end
         skipped_thread <= s2_thread;
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, shifted_1[3:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, radius2_shifted[3:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 4
 // width = 43
 module stream_fifo_d4_w43 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [42:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [42:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
 );
     reg [2:0] held, waiting;
     reg [1:0] write_address, read_address;
@@ -788,8 +759,7 @@ module stream_fifo_d4_w43 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(43), .DEPTH(4)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -810,25 +780,16 @@ module stream_fifo_d4_w43 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 3'd4)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 3'd4);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {2'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -837,8 +798,7 @@ endmodule
 // threads = 4
 // lanes = 1
 module search_leaf (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire tree_valid,  // Write to the leaf table.
     input  wire tree_is_leaf,  // Chooses the leaf table, else the node memory.
     input  wire [5:0] tree_address,  // The leaf's number or the node.
@@ -882,13 +842,15 @@ module search_leaf (
     reg f0_valid, f1_valid;
     reg [1:0] f0_thread, f1_thread;
     wire [19:0] f0_found;
-    reg [15:0] f1_begin;
-    reg [3:0] f1_beats;
+    reg [15:0] f1_begin;  // The first beat.
+    reg [3:0] f1_beats;  // The number of beats, at least one.
     reg query_valid;
-    reg [1:0] points_thread;
-    reg [15:0] points_address;
-    reg points_last;
-    reg [23:0] points_x0, points_y0, points_z0;
+    reg [1:0] points_thread;  // Thread.
+    reg [15:0] points_address;  // Address in the point memory.
+    reg points_last;  // Closes its leaf.
+    reg [23:0] points_x0;  // A point a lane; NaN where there is none.
+    reg [23:0] points_y0;  // A point a lane; NaN where there is none.
+    reg [23:0] points_z0;  // A point a lane; NaN where there is none.
     wire [71:0] query;
 
     wire leaf_queue_in_ready, leaf_queue_out_valid;
@@ -926,40 +888,36 @@ module search_leaf (
     assign candidates_distance0 = distance_out_distance0;
 
     memory_1w1r_unordered #(.WIDTH(20), .DEPTH(64)) leaves (
-        .clk(clk),
-        .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
+        .clk(clk), .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
         .read(table_advance), .read_address(leaf_queue_out_leaf), .read_data(f0_found)
     );
 
     memory_1w1r #(.WIDTH(72), .DEPTH(4)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
+        .write_data({start_x, start_y, start_z}),
         .read(query_advance), .read_address(beat_queue_out_thread), .read_data(query)
     );
 
     stream_skid_w8 leaf_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready), .in_data({leaf_thread, leaf_leaf}),
+        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready),
+        .in_data({leaf_thread, leaf_leaf}),
         .out_valid(leaf_queue_out_valid), .out_ready(table_advance), .out_data(leaf_queue_out_data)
     );
 
     stream_skid_w22 fetch_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
         .in_data({f1_thread, f1_begin, f1_beats}),
         .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w91 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
         .in_data({beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0}),
         .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
-        .clk(clk), .rst(rst),
-        .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
+        .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
         .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
         .in_z0(points_z0), .in_query_x(query[71:48]), .in_query_y(query[47:24]), .in_query_z(query[23:0]),
         .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
@@ -1000,17 +958,14 @@ module search_leaf (
     wire _unused = &{1'b0, start_k, start_number, start_radius2, tree_dimension, tree_internal_leaf, tree_split};
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~(writes_leaf & leaf_queue_out_valid))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                no_leaf_is_looked_up_while_one_is_written: assert (0);
+        no_leaf_is_looked_up_while_one_is_written: assert (~(writes_leaf & leaf_queue_out_valid));
 `else
-                $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m");
-                $stop;
-`endif
-            end
+        if (!(~(writes_leaf & leaf_queue_out_valid))) begin
+            $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1019,25 +974,13 @@ endmodule
 // latency = 22
 // initiation_interval = 1
 module search_distance (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire in_last,
-    input  wire [23:0] in_x0,
-    input  wire [23:0] in_y0,
-    input  wire [23:0] in_z0,
-    input  wire [23:0] in_query_x,
-    input  wire [23:0] in_query_y,
-    input  wire [23:0] in_query_z,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire out_last,
-    output wire [23:0] out_distance0
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [1:0] in_thread,
+    input  wire [15:0] in_address, input wire in_last, input wire [23:0] in_x0,
+    input  wire [23:0] in_y0, input wire [23:0] in_z0, input wire [23:0] in_query_x,
+    input  wire [23:0] in_query_y, input wire [23:0] in_query_z,
+    output wire out_valid, input wire out_ready, output wire [1:0] out_thread,
+    output wire [15:0] out_address, output wire out_last, output wire [23:0] out_distance0
 );
     (* ram_style = "distributed" *)
     reg [23:0] delay_6_from_0 [0:4];
@@ -1054,17 +997,17 @@ module search_distance (
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
 
+    wire [1:0] thread_d22 = delay_22_from_0_out[1:0];
+    wire [15:0] address_d22 = delay_22_from_0_out[17:2];
+    wire last_d22 = delay_22_from_0_out[18];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_thread, out_address, out_last, out_distance0} = queue_out_data;
 
     stream_skid_w43 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[21]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_22_from_0_out[1:0], delay_22_from_0_out[17:2], delay_22_from_0_out[18],
-            add_f24_ftz_unit_copy5_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[21]), .in_ready(queue_in_ready),
+        .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -1134,14 +1077,9 @@ endmodule
 // Queue of two in registers.
 // width = 43
 module stream_skid_w43 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [42:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [42:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [42:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [42:0] out_data
 );
     reg second_valid;
     reg [42:0] head, second;
@@ -1167,17 +1105,14 @@ module stream_skid_w43 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1185,14 +1120,9 @@ endmodule
 // Queue of two in registers.
 // width = 91
 module stream_skid_w91 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [90:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [90:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [90:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [90:0] out_data
 );
     reg second_valid;
     reg [90:0] head, second;
@@ -1218,17 +1148,14 @@ module stream_skid_w91 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1236,14 +1163,9 @@ endmodule
 // Queue of two in registers.
 // width = 22
 module stream_skid_w22 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [21:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [21:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [21:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [21:0] out_data
 );
     reg second_valid;
     reg [21:0] head, second;
@@ -1269,17 +1191,14 @@ module stream_skid_w22 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1287,8 +1206,7 @@ endmodule
 // Pops paths until one is worth descending.
 // threads = 4
 module search_recursion (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [1:0] start_thread,  // Thread.
     input  wire [15:0] start_number,  // Its number, which its results bear.
@@ -1323,8 +1241,8 @@ module search_recursion (
     reg r0_valid, r1_valid, r2_valid;
     reg [1:0] r0_thread, r1_thread, r2_thread;
     reg found;
-    reg [6:0] path_node;
-    reg [23:0] path_distance2;
+    reg [6:0] path_node;  // The subtree's root.
+    reg [23:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
     reg [3:0] from_leaf;
     reg [23:0] radius2;
 
@@ -1347,7 +1265,7 @@ module search_recursion (
         radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_1 = from_leaf >> r1_thread;
+    wire [3:0] from_leaf_shifted_by_r1_thread = from_leaf >> r1_thread;
     wire [23:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [23:0] query_radius2 = query_radii[r1_thread];
 
@@ -1358,14 +1276,13 @@ module search_recursion (
     assign pop_thread = r0_thread;
 
     stream_skid_w2 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(popped & nearer), .in_ready(resume_queue_in_ready), .in_data({r2_thread, path_node}),
+        .clk(clk), .rst(rst), .in_valid(popped & nearer), .in_ready(resume_queue_in_ready),
+        .in_data({r2_thread, path_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
@@ -1396,31 +1313,22 @@ module search_recursion (
             found <= ~top_empty;
             path_node <= top_node;
             path_distance2 <= top_distance2;
-            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+            radius2 <= from_leaf_shifted_by_r1_thread[0] ? leaf_radius2 : query_radius2;
         end
         empty_thread <= r2_thread;
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, shifted_1[3:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[3:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue of two in registers.
 // width = 2
 module stream_skid_w2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [1:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [1:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [1:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [1:0] out_data
 );
     reg second_valid;
     reg [1:0] head, second;
@@ -1446,17 +1354,14 @@ module stream_skid_w2 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1465,8 +1370,7 @@ endmodule
 // threads = 4
 // depth = 6
 module search_stack (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire push_valid,  // A path to remember.
     input  wire [1:0] push_thread,  // Thread.
     input  wire [6:0] push_node,  // The subtree's root.
@@ -1495,8 +1399,7 @@ module search_stack (
     assign {top_node, top_distance2} = top;
 
     memory_1w1r_unordered #(.WIDTH(31), .DEPTH(32)) paths (
-        .clk(clk),
-        .write(push_valid), .write_address({push_thread, push_depth}),
+        .clk(clk), .write(push_valid), .write_address({push_thread, push_depth}),
         .write_data({push_node, push_distance2}),
         .read(takes), .read_address({pop_thread, pop_depth - 3'd1}), .read_data(top)
     );
@@ -1518,25 +1421,18 @@ module search_stack (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~push_valid | (push_depth < 3'd6))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                stack_has_room: assert (0);
+        stack_has_room: assert (~push_valid | (push_depth < 3'd6));
+        one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
-                $display("assertion failed: stack_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~(push_valid & pop_valid & (push_thread == pop_thread)))) begin
-`ifdef FORMAL
-                one_access_a_thread: assert (0);
-`else
-                $display("assertion failed: one_access_a_thread in %m");
-                $stop;
-`endif
-            end
+        if (!(~push_valid | (push_depth < 3'd6))) begin
+            $display("assertion failed: stack_has_room in %m"); $stop;
         end
+        if (!(~(push_valid & pop_valid & (push_thread == pop_thread)))) begin
+            $display("assertion failed: one_access_a_thread in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -1545,8 +1441,7 @@ endmodule
 // threads = 4
 // tree_depth = 6
 module search_traversal (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [1:0] start_thread,  // Thread.
     input  wire [15:0] start_number,  // Its number, which its results bear.
@@ -1584,14 +1479,14 @@ module search_traversal (
     output wire [1:0] reached_thread  // Thread.
 );
     reg f_valid;
-    reg [1:0] f_thread;
-    reg [6:0] f_node;
+    reg [1:0] f_thread;  // Thread.
+    reg [6:0] f_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg v_valid;
-    reg [1:0] v_thread;
-    reg [6:0] v_node;
+    reg [1:0] v_thread;  // Thread.
+    reg [6:0] v_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg s_valid;
-    reg [1:0] s_thread;
-    reg [6:0] s_node;
+    reg [1:0] s_thread;  // Thread.
+    reg [6:0] s_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg f_is_child, s_at_leaf;
     reg [23:0] s_coordinate, s_split;
     wire [26:0] even_node, odd_node;
@@ -1612,9 +1507,9 @@ module search_traversal (
     wire [23:0] path_out_distance2;
     wire less_y;
 
-    wire term_1 = tree_valid & ~tree_is_leaf;
-    wire writes_even = term_1 & ~tree_address[0];
-    wire [26:0] joined_2 = {tree_split, tree_dimension, tree_internal_leaf};
+    wire writes_odd_both = tree_valid & ~tree_is_leaf;
+    wire writes_even = writes_odd_both & ~tree_address[0];
+    wire [26:0] even_nodes_data_bits = {tree_split, tree_dimension, tree_internal_leaf};
     wire at_leaf = v_node[6] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
@@ -1622,21 +1517,21 @@ module search_traversal (
     wire descends = v_valid & ~at_leaf;
     wire [6:0] resume_queue_out_node = resume_queue_out_data[6:0];
     wire [6:0] descend_queue_out_node = descend_queue_out_data[6:0];
-    wire [6:0] choice_3 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_3;
-    wire writes_odd = term_1 & tree_address[0];
+    wire [6:0] next_node_choice = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : next_node_choice;
+    wire writes_odd = writes_odd_both & tree_address[0];
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [6:0] choice_4 = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
-    wire [6:0] choice_5 = (choice_4[6:5] == 2'd0) ? (choice_4 << 2) : choice_4;
-    wire [6:0] choice_6 = ~choice_5[6] ? (choice_5 << 1) : choice_5;
+    wire [6:0] leaf_queue_in_data_choice = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
+    wire [6:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[6:5] == 2'd0) ? (leaf_queue_in_data_choice << 2) : leaf_queue_in_data_choice;
+    wire [6:0] leaf_queue_in_data_choice_3 = ~leaf_queue_in_data_choice_2[6] ? (leaf_queue_in_data_choice_2 << 1) : leaf_queue_in_data_choice_2;
     wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
-    wire [23:0] choice_7 = v_node[0] ? v_odd_split : v_even_split;
+    wire [23:0] s_split_choice = v_node[0] ? v_odd_split : v_even_split;
     wire [1:0] resume_queue_out_thread = resume_queue_out_data[8:7];
     wire [1:0] descend_queue_out_thread = descend_queue_out_data[8:7];
-    wire [1:0] choice_8 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire choice_9 = f_is_child ? ~less_y : f_node[0];
+    wire [1:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire v_node_choice = f_is_child ? ~less_y : f_node[0];
 
     assign descend_ready = descend_queue_in_ready;
     assign resume_ready = resume_queue_in_ready;
@@ -1650,52 +1545,52 @@ module search_traversal (
     assign reached_thread = path_out_thread;
 
     memory_1w1r_unordered #(.WIDTH(27), .DEPTH(32)) even_nodes (
-        .clk(clk),
-        .write(writes_even), .write_address(tree_address[5:1]), .write_data(joined_2),
+        .clk(clk), .write(writes_even), .write_address(tree_address[5:1]), .write_data(even_nodes_data_bits),
         .read(advance), .read_address(next_node[5:1]), .read_data(even_node)
     );
 
     memory_1w1r_unordered #(.WIDTH(27), .DEPTH(32)) odd_nodes (
-        .clk(clk),
-        .write(writes_odd), .write_address(tree_address[5:1]), .write_data(joined_2),
+        .clk(clk), .write(writes_odd), .write_address(tree_address[5:1]), .write_data(even_nodes_data_bits),
         .read(advance), .read_address(next_node[5:1]), .read_data(odd_node)
     );
 
     memory_1w1r #(.WIDTH(72), .DEPTH(4)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
+        .write_data({start_x, start_y, start_z}),
         .read(advance), .read_address(f_thread), .read_data(query)
     );
 
     stream_skid_w9 descend_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(descend_valid), .in_ready(descend_queue_in_ready), .in_data({descend_thread, descend_node}),
+        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_queue_in_ready),
+        .in_data({descend_thread, descend_node}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
         .out_data(descend_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(resume_valid), .in_ready(resume_queue_in_ready), .in_data({resume_thread, resume_node}),
+        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_queue_in_ready),
+        .in_data({resume_thread, resume_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
         .out_data(resume_queue_out_data)
     );
 
     stream_skid_w8 leaf_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready), .in_data({v_thread, choice_6[5:0]}),
+        .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
+        .in_data({v_thread, leaf_queue_in_data_choice_3[5:0]}),
         .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
-        .clk(clk), .rst(rst),
-        .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf), .in_thread(s_thread),
-        .in_node({s_node[5:0], less_y}), .in_coordinate(s_coordinate), .in_split(s_split),
+        .clk(clk), .rst(rst), .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf),
+        .in_thread(s_thread), .in_node({s_node[5:0], less_y}), .in_coordinate(s_coordinate),
+        .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
         .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
-    float_lt_s1_f24ftz less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_7), .y(less_y));
+    float_lt_s1_f24ftz less (
+        .clk(clk), .enable(advance), .a(coordinate), .b(s_split_choice), .y(less_y)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1714,45 +1609,45 @@ module search_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_8;
+            f_thread <= descends ? v_thread : f_thread_choice;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[6:1], choice_9};
+            v_node <= {f_node[6:1], v_node_choice};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= choice_7;
+            s_split <= s_split_choice;
             v_even_split <= even_node[26:3];
             v_odd_split <= odd_node[26:3];
-            v_dimension <= choice_9 ? odd_node[2:1] : even_node[2:1];
-            v_internal_leaf <= choice_9 ? odd_node[0] : even_node[0];
+            v_dimension <= v_node_choice ? odd_node[2:1] : even_node[2:1];
+            v_internal_leaf <= v_node_choice ? odd_node[0] : even_node[0];
         end
     end
 
-    wire _unused = &{1'b0, choice_6[6], s_node[6], start_k, start_number, start_radius2, tree_beats, tree_begin};
+    wire _unused = &{
+        1'b0, leaf_queue_in_data_choice_3[6], s_node[6], start_k, start_number, start_radius2, tree_beats,
+        tree_begin
+    };
 endmodule
 
 // Whether one floating-point number is less than another.
 // stages = 1
 // format = f24-ftz
 module float_lt_s1_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  y
 );
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] joined_2 = {a[22:15], term_1};
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_4 = {b[22:15], term_3};
-    wire term_5 = {~a[23], joined_2 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+    wire [14:0] y_both = a[14:0] & {15{|a[22:15]}};
+    wire [22:0] y_bits = {a[22:15], y_both};
+    wire [14:0] y_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] y_bits_2 = {b[22:15], y_both_2};
+    wire y_in_order = {~a[23], y_bits ^ {23{a[23]}}} < {~b[23], y_bits_2 ^ {23{b[23]}}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= term_5 & ~((joined_2 | joined_4) == 23'd0) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
+            y <= y_in_order & ~((y_bits | y_bits_2) == 23'd0) & ~((&a[22:15] & |y_both) | (&b[22:15] & |y_both_2));
         end
     end
 endmodule
@@ -1761,21 +1656,11 @@ endmodule
 // latency = 10
 // initiation_interval = 1
 module search_path (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_is_leaf,
-    input  wire [1:0] in_thread,
-    input  wire [6:0] in_node,
-    input  wire [23:0] in_coordinate,
-    input  wire [23:0] in_split,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_is_leaf,
-    output wire [1:0] out_thread,
-    output wire [6:0] out_node,
-    output wire [23:0] out_distance2
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_is_leaf, input wire [1:0] in_thread,
+    input  wire [6:0] in_node, input wire [23:0] in_coordinate, input wire [23:0] in_split,
+    output wire out_valid, input wire out_ready, output wire out_is_leaf, output wire [1:0] out_thread,
+    output wire [6:0] out_node, output wire [23:0] out_distance2
 );
     (* ram_style = "distributed" *)
     reg [9:0] delay_10_from_0 [0:8];
@@ -1786,14 +1671,17 @@ module search_path (
     wire [33:0] queue_out_data;
     wire [23:0] add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
 
+    wire is_leaf_d10 = delay_10_from_0_out[0];
+    wire [1:0] thread_d10 = delay_10_from_0_out[2:1];
+    wire [6:0] node_d10 = delay_10_from_0_out[9:3];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w34 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
-        .in_data({delay_10_from_0_out[0], delay_10_from_0_out[2:1], delay_10_from_0_out[9:3], mul_f24_ftz_unit_y}),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .in_data({is_leaf_d10, thread_d10, node_d10, mul_f24_ftz_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -1828,10 +1716,7 @@ endmodule
 // stages = 4
 // format = f24-ftz
 module float_mul_s4_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [15:0] left_s1, right_s1;
@@ -1846,17 +1731,17 @@ module float_mul_s4_f24ftz (
     wire [14:0] a_fraction = a[14:0];
     wire [7:0] b_field = b[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
-    wire term_2 = &a_field & (a_fraction == 15'd0);
-    wire term_3 = ~(|b_field);
-    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
-    wire term_5 = ~(|a_field);
-    wire term_6 = &b_field & (b_fraction == 15'd0);
-    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
-    wire term_8 = infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+    wire [31:0] significand_s3_choice = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire y_both = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
     wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
     wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3)) ? 23'd0 : term_8 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s3 | ((exponent_s3[9] | y_both) & ~infinite_s3)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -1866,20 +1751,20 @@ module float_mul_s4_f24ftz (
             product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
-            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            significand_s3 <= {significand_s3_choice[31:15], |significand_s3_choice[14:0]};
             sign_s1 <= a[23] ^ b[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_2 | term_6;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
-            zero_s1 <= term_5 | term_3;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
-            y <= nan_s3 ? 24'h7fc000 : {sign_s3, choice_9};
+            y <= nan_s3 ? 24'h7fc000 : {sign_s3, y_choice_2};
         end
     end
 
@@ -1890,10 +1775,7 @@ endmodule
 // stages = 6
 // format = f24-ftz
 module float_add_s6_f24ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
@@ -1912,97 +1794,95 @@ module float_add_s6_f24ftz (
     wire [7:0] b_field = b[22:15];
     wire [7:0] a_field = a[22:15];
     wire [14:0] b_fraction = b[14:0];
-    wire [15:0] joined_1 = {|b_field, b_fraction & {15{|b_field}}};
+    wire [15:0] large_s1_bits = {|b_field, b_fraction & {15{|b_field}}};
     wire [14:0] a_fraction = a[14:0];
-    wire [15:0] joined_2 = {|a_field, a_fraction & {15{|a_field}}};
-    wire [18:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [18:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [18:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [18:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [18:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [18:0] joined_10 = {choice_7[18:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[23] ^ b[23];
-    wire [20:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 15'd0);
-    wire term_14 = &b_field & (b_fraction == 15'd0);
-    wire term_15 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_16 = term_15 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_17 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[13] & ~sum_s3[12]));
-    wire term_19 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_20 = term_19 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_21 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[5] & ~sum_s3[4])));
-    wire term_23 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_24 = term_23 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_25 = term_24 ? 2'd0 : {term_23, term_23 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_26 = term_20 ? {term_21, term_21 ? ~sum_s3[5] : ~sum_s3[7]} : {term_19, term_19 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [1:0] choice_27 = term_16 ? {term_17, term_17 ? ~sum_s3[13] : ~sum_s3[15]} : {term_15, term_15 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [3:0] joined_28 = {term_18, term_18 ? {term_20, choice_26} : {term_16, choice_27}};
-    wire [19:0] shifted_29 = value_s4 << zeros_s4;
-    wire term_30 = sum_s3 == 20'd0;
-    wire term_31 = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
-    wire term_32 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [15:0] large_s1_bits_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire [18:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [18:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [18:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [18:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [18:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_23_xor_b_23 = a[23] ^ b[23];
+    wire [20:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 15'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 15'd0);
+    wire zeros_s4_both = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_3 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_5 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_7 = zeros_s4_both_6 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire zeros_s4_both_8 = zeros_s4_both_4 & zeros_s4_both_7;
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_9 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_6 ? zeros_s4_bits_2 : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [1:0] zeros_s4_choice_2 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [2:0] zeros_s4_choice_3 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice} : {zeros_s4_both_2, zeros_s4_choice_2};
+    wire [3:0] zeros_s4_choice_4 = zeros_s4_both_8 ? {1'd0, zeros_s4_both_9, zeros_s4_both_9 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_4, zeros_s4_choice_3};
+    wire [19:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 20'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [22:0] rounded = {exponent_s5[7:0], significand_s5[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_33 = (zero_s5 | ((exponent_s5[9] | term_31) & ~infinite_s5)) ? 23'd0 : term_32 ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 23'h7f8000 : rounded;
+    wire [22:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 23'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[18:1], aligned_s2_either_3};
+            subtract_s1 <= a_23_xor_b_23;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[20:1];
+            sum_s3 <= sum_s3_sum[20:1];
             sign_s1 <= swap ? b[23] : a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_23_xor_b_23);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? {1'd0, term_24, choice_25} : joined_28};
+            zeros_s4 <= {zeros_s4_both_8, zeros_s4_choice_4};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_29[19:3], |shifted_29[2:0]};
-            sign_s4 <= sign_s3 & ~(term_30 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[19:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_30 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 24'h7fc000 : {sign_s5, choice_33};
+            y <= nan_s5 ? 24'h7fc000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_s3_sum[0]};
 endmodule
 
 // Queue of two in registers.
 // width = 34
 module stream_skid_w34 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [33:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [33:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
     reg [33:0] head, second;
@@ -2028,17 +1908,14 @@ module stream_skid_w34 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2046,14 +1923,9 @@ endmodule
 // Queue of two in registers.
 // width = 8
 module stream_skid_w8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [7:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [7:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg second_valid;
     reg [7:0] head, second;
@@ -2079,17 +1951,14 @@ module stream_skid_w8 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2098,8 +1967,7 @@ endmodule
 // threads = 4
 // leaves_in_flight = 1
 module search_threads (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire query_valid,  // Queries.
     output wire query_ready,
     input  wire [15:0] query_number,  // Its number, which its results bear.
@@ -2171,7 +2039,7 @@ module search_threads (
     wire outstanding_2_next = ((outstanding_2 + reached_set[2]) - leaf_done_set[2]) - skipped_set[2];
     wire outstanding_1_next = ((outstanding_1 + reached_set[1]) - leaf_done_set[1]) - skipped_set[1];
     wire outstanding_0_next = ((outstanding_0 + reached_set[0]) - leaf_done_set[0]) - skipped_set[0];
-    wire [3:0] joined_1 = {
+    wire [3:0] waiting_bits = {
         outstanding_3_next < 1'd1, outstanding_2_next < 1'd1, outstanding_1_next < 1'd1,
         outstanding_0_next < 1'd1
     };
@@ -2187,7 +2055,7 @@ module search_threads (
     wire [3:0] first_pop = pop_from_next ? (pop_next & ~pop_below_next) : (wants_pop & ~pop_below_any);
     wire pop_advance = pop_ready | ~pop_shown;
     wire [3:0] granted_pop = first_pop & {4{pop_advance}};
-    wire [3:0] term_2 = (wants_pop & ~granted_pop) | ((reached_set & joined_1) | (leaf_ended & waiting));
+    wire [3:0] wants_pop_either = (wants_pop & ~granted_pop) | ((reached_set & waiting_bits) | (leaf_ended & waiting));
     wire [3:0] finish_next = wants_finish & behind_finish;
     wire finish_from_next = |finish_next;
     wire [3:0] finish_below_next = finish_next - 4'd1;
@@ -2195,10 +2063,10 @@ module search_threads (
     wire [3:0] first_finish = finish_from_next ? (finish_next & ~finish_below_next) : (wants_finish & ~finish_below_any);
     wire finish_advance = finish_ready | ~finish_shown;
     wire [3:0] granted_finish = first_finish & {4{finish_advance}};
-    wire [3:0] joined_3 = {~outstanding_3_next, ~outstanding_2_next, ~outstanding_1_next, ~outstanding_0_next};
-    wire [3:0] term_4 = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & joined_3));
-    wire [3:0] choice_5 = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
-    wire [3:0] choice_6 = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
+    wire [3:0] wants_finish_bits = {~outstanding_3_next, ~outstanding_2_next, ~outstanding_1_next, ~outstanding_0_next};
+    wire [3:0] wants_finish_either = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & wants_finish_bits));
+    wire [3:0] behind_pop_choice = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
+    wire [3:0] behind_finish_choice = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
     assign descend_valid = descend_queue_out_valid;
     assign {descend_thread, descend_node} = descend_queue_out_data;
@@ -2208,8 +2076,8 @@ module search_threads (
     assign finish_thread = {|(chosen_finish & 4'd12), |(chosen_finish & 4'd10)};
 
     stream_skid_w9 descend_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(start_valid), .in_ready(descend_queue_in_ready), .in_data({start_thread, 7'd1}),
+        .clk(clk), .rst(rst), .in_valid(start_valid), .in_ready(descend_queue_in_ready),
+        .in_data({start_thread, 7'd1}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
@@ -2234,22 +2102,22 @@ module search_threads (
             event_thread_wait <= 1'd0;
         end else begin
             busy <= (busy | (free & {4{take}})) & kept;
-            waiting <= ((waiting & ~leaf_ended) | (reached_set & ~joined_1)) & kept;
+            waiting <= ((waiting & ~leaf_ended) | (reached_set & ~waiting_bits)) & kept;
             exhausted <= exhausted_now & kept;
-            wants_pop <= term_2 & kept;
-            wants_finish <= term_4 & kept;
+            wants_pop <= wants_pop_either & kept;
+            wants_finish <= wants_finish_either & kept;
             start_valid <= take;
             outstanding_0 <= outstanding_0_next;
             outstanding_1 <= outstanding_1_next;
             outstanding_2 <= outstanding_2_next;
             outstanding_3 <= outstanding_3_next;
             event_thread_wait <= query_valid & &busy;
-            if (pop_advance & |wants_pop) behind_pop <= ~choice_5;
+            if (pop_advance & |wants_pop) behind_pop <= ~behind_pop_choice;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
                 pop_shown <= |wants_pop;
             end
-            if (finish_advance & |wants_finish) behind_finish <= ~choice_6;
+            if (finish_advance & |wants_finish) behind_finish <= ~behind_finish_choice;
             if (finish_advance) begin
                 chosen_finish <= first_finish;
                 finish_shown <= |wants_finish;
@@ -2267,22 +2135,19 @@ module search_threads (
     end
 
 `ifdef RTL_ASSERT
-    wire [3:0] joined_7 = {
+    wire [3:0] check_bits = {
         leaf_ended[3] & ~(outstanding_3 | reached_set[3]), leaf_ended[2] & ~(outstanding_2 | reached_set[2]),
         leaf_ended[1] & ~(outstanding_1 | reached_set[1]), leaf_ended[0] & ~(outstanding_0 | reached_set[0])
     };
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~(|joined_7))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                leaves_are_reached_before_they_end: assert (0);
+        leaves_are_reached_before_they_end: assert (~(|check_bits));
 `else
-                $display("assertion failed: leaves_are_reached_before_they_end in %m");
-                $stop;
-`endif
-            end
+        if (!(~(|check_bits))) begin
+            $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2290,14 +2155,9 @@ endmodule
 // Queue of two in registers.
 // width = 9
 module stream_skid_w9 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [8:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [8:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [8:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [8:0] out_data
 );
     reg second_valid;
     reg [8:0] head, second;
@@ -2323,17 +2183,14 @@ module stream_skid_w9 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

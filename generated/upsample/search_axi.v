@@ -3,60 +3,59 @@
 
 // Neighbor search on AXI.
 module search_axi (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output wire s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output wire s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output wire s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output wire s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output wire [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    input  wire s_axis_query_tvalid,
+    output wire [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    input  wire s_axis_query_tvalid,  // Beats of packets.
     output wire s_axis_query_tready,
-    input  wire [63:0] s_axis_query_tdata,
-    input  wire s_axis_query_tlast,
-    output wire m_axis_result_tvalid,
+    input  wire [63:0] s_axis_query_tdata,  // Its bytes.
+    input  wire s_axis_query_tlast,  // Closes its packet.
+    output wire m_axis_result_tvalid,  // Beats of packets.
     input  wire m_axis_result_tready,
-    output wire [63:0] m_axis_result_tdata,
-    output wire m_axis_result_tlast,
-    output wire m_axi_arvalid,
+    output wire [63:0] m_axis_result_tdata,  // Its bytes.
+    output wire m_axis_result_tlast,  // Closes its packet.
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output wire m_axi_tree_arvalid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output wire m_axi_tree_arvalid,  // Bursts wanted.
     input  wire m_axi_tree_arready,
-    output wire [3:0] m_axi_tree_arid,
-    output wire [31:0] m_axi_tree_araddr,
-    output wire [7:0] m_axi_tree_arlen,
-    output wire [2:0] m_axi_tree_arsize,
-    output wire [1:0] m_axi_tree_arburst,
-    input  wire m_axi_tree_rvalid,
+    output wire [3:0] m_axi_tree_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_tree_araddr,  // Its first byte.
+    output wire [7:0] m_axi_tree_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_tree_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_tree_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_tree_rvalid,  // Their beats.
     output wire m_axi_tree_rready,
-    input  wire [3:0] m_axi_tree_rid,
-    input  wire [63:0] m_axi_tree_rdata,
-    input  wire [1:0] m_axi_tree_rresp,
-    input  wire m_axi_tree_rlast,
-    output wire irq
+    input  wire [3:0] m_axi_tree_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_tree_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_tree_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_tree_rlast,  // Closes its burst.
+    output wire irq  // Interrupt.
 );
     reg sets_up;
     reg [31:0] queries_left, answers_left;
@@ -124,10 +123,10 @@ module search_axi (
     wire gives_beat = points_record_valid & fetches_out_valid;
     wire [3:0] fetches_out_thread = fetches_out_data[28:25];
     wire [21:0] fetches_out_address = fetches_out_data[24:3];
-    wire [2:0] sum_1 = beat + 3'd1;
+    wire [2:0] beat_plus_1 = beat + 3'd1;
     wire [2:0] fetches_out_beats = fetches_out_data[2:0];
-    wire last_beat = sum_1 == fetches_out_beats;
-    wire choice_2 = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire last_beat = beat_plus_1 == fetches_out_beats;
+    wire queries_last_choice = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
     wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
     wire points_record_ready = core_beat_ready & fetches_out_valid;
     wire beat_moves = gives_beat & core_beat_ready;
@@ -166,9 +165,9 @@ module search_axi (
     assign irq = registers_irq;
 
     search_top core (
-        .clk(clk), .rst(rst | registers_core_reset),
-        .lookup_valid(core_lookup_valid), .lookup_ready(core_lookup_ready),
-        .lookup_thread(core_lookup_thread), .lookup_address(core_lookup_address),
+        .clk(clk), .rst(rst | registers_core_reset), .lookup_valid(core_lookup_valid),
+        .lookup_ready(core_lookup_ready), .lookup_thread(core_lookup_thread),
+        .lookup_address(core_lookup_address),
         .record_valid(gives_record), .record_ready(core_record_ready), .record_thread(lookups_out_thread),
         .record_address(lookups_out_address), .record_split(tree_record_word[31:0]),
         .record_dimension(tree_record_word[33:32]), .record_internal_leaf(tree_record_word[40]),
@@ -198,14 +197,12 @@ module search_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
         .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
         .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
         .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
         .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(1'd0), .busy(registers_busy),
-        .start(registers_start),
-        .core_reset(registers_core_reset),
+        .start(registers_start), .core_reset(registers_core_reset),
         .burst_error({points_misplaced, tree_misplaced}),
         .packet_error(queries_refused),
         .memory_error({points_error, tree_error}),
@@ -219,18 +216,17 @@ module search_axi (
         .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
         .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
         .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq),
-        .points_base(registers_points_base),
+        .irq(registers_irq), .points_base(registers_points_base),
         .tree_base(registers_tree_base),
-        .queries(registers_queries),
-        .cache_ball(registers_cache_ball), .cache_far_scale(registers_cache_far_scale),
-        .cache_margin_scale(registers_cache_margin_scale)
+        .queries(registers_queries), .cache_ball(registers_cache_ball),
+        .cache_far_scale(registers_cache_far_scale), .cache_margin_scale(registers_cache_margin_scale)
     );
 
     bus_packet_in queries (
-        .clk(clk), .rst(rst), .opens(registers_start), .last((queries_left[31:2] == 30'd0) & choice_2),
-        .s_axis_tvalid(s_axis_query_tvalid), .s_axis_tready(queries_s_axis_tready),
-        .s_axis_tdata(s_axis_query_tdata), .s_axis_tlast(s_axis_query_tlast),
+        .clk(clk), .rst(rst), .opens(registers_start),
+        .last((queries_left[31:2] == 30'd0) & queries_last_choice), .s_axis_tvalid(s_axis_query_tvalid),
+        .s_axis_tready(queries_s_axis_tready), .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tlast(s_axis_query_tlast),
         .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
         .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
         .out_y(queries_out_y), .out_z(queries_out_z), .out_reach(queries_out_reach),
@@ -238,19 +234,18 @@ module search_axi (
     );
 
     bus_packet_out results (
-        .clk(clk), .rst(rst),
-        .in_valid(core_result_valid), .in_ready(results_in_ready), .in_number(core_result_number),
-        .in_last(core_result_last), .in_found(core_result_found), .in_index(core_result_index),
-        .in_distance2(core_result_distance2), .in_cached(core_result_cached),
+        .clk(clk), .rst(rst), .in_valid(core_result_valid), .in_ready(results_in_ready),
+        .in_number(core_result_number), .in_last(core_result_last), .in_found(core_result_found),
+        .in_index(core_result_index), .in_distance2(core_result_distance2), .in_cached(core_result_cached),
         .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
         .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
         .sent(results_sent), .idle(results_idle)
     );
 
     bus_reader points (
-        .clk(clk), .rst(rst),
-        .request_valid(core_fetch_valid & fetches_in_ready), .request_ready(points_request_ready),
-        .request_address(points_address), .request_records(core_fetch_beats),
+        .clk(clk), .rst(rst), .request_valid(core_fetch_valid & fetches_in_ready),
+        .request_ready(points_request_ready), .request_address(points_address),
+        .request_records(core_fetch_beats),
         .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
         .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
         .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
@@ -265,16 +260,14 @@ module search_axi (
     );
 
     stream_fifo_d16_w29 fetches (
-        .clk(clk), .rst(rst),
-        .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
+        .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
         .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_reader_v2 tree (
-        .clk(clk), .rst(rst),
-        .request_valid(core_lookup_valid & lookups_in_ready), .request_ready(tree_request_ready),
-        .request_address(tree_address), .request_records(1'd1),
+        .clk(clk), .rst(rst), .request_valid(core_lookup_valid & lookups_in_ready),
+        .request_ready(tree_request_ready), .request_address(tree_address), .request_records(1'd1),
         .m_axi_arvalid(tree_m_axi_arvalid), .m_axi_arready(m_axi_tree_arready), .m_axi_arid(tree_m_axi_arid),
         .m_axi_araddr(tree_m_axi_araddr), .m_axi_arlen(tree_m_axi_arlen), .m_axi_arsize(tree_m_axi_arsize),
         .m_axi_arburst(tree_m_axi_arburst), .m_axi_rvalid(m_axi_tree_rvalid),
@@ -285,8 +278,7 @@ module search_axi (
     );
 
     stream_fifo_d16_w25 lookups (
-        .clk(clk), .rst(rst),
-        .in_valid(core_lookup_valid & tree_request_ready), .in_ready(lookups_in_ready),
+        .clk(clk), .rst(rst), .in_valid(core_lookup_valid & tree_request_ready), .in_ready(lookups_in_ready),
         .in_data({core_lookup_thread, core_lookup_address}),
         .out_valid(lookups_out_valid), .out_ready(lookups_out_ready), .out_data(lookups_out_data)
     );
@@ -301,7 +293,7 @@ module search_axi (
             sets_up <= registers_start;
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
-            if (beat_moves) beat <= last_beat ? 3'd0 : sum_1;
+            if (beat_moves) beat <= last_beat ? 3'd0 : beat_plus_1;
         end
     end
 
@@ -313,30 +305,29 @@ endmodule
 // width = 64
 // records = 1
 module bus_reader_v2 (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire request_valid,  // Records wanted.
     output wire request_ready,
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire request_records,  // How many.
-    output wire m_axi_arvalid,
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output reg  record_valid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid,  // The records.
     input  wire record_ready,
-    output wire [63:0] record_word,
-    output reg  error,
-    output reg  misplaced
+    output wire [63:0] record_word,  // What a node or a leaf holds.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
 );
     reg held;
     reg [28:0] address;
@@ -365,14 +356,13 @@ module bus_reader_v2 (
     assign record_word = held_word_0;
 
     stream_skid_w37 address_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, 8'd0}),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, 8'd0}),
         .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
@@ -400,14 +390,9 @@ endmodule
 // Queue of two in registers.
 // width = 37
 module stream_skid_w37 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [36:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [36:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [36:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [36:0] out_data
 );
     reg second_valid;
     reg [36:0] head, second;
@@ -433,17 +418,14 @@ module stream_skid_w37 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -452,14 +434,9 @@ endmodule
 // depth = 16
 // width = 29
 module stream_fifo_d16_w29 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [28:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [28:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -474,8 +451,7 @@ module stream_fifo_d16_w29 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(29), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -496,25 +472,16 @@ module stream_fifo_d16_w29 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -524,41 +491,40 @@ endmodule
 // width = 64
 // records = 4
 module bus_reader (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire request_valid,  // Records wanted.
     output wire request_ready,
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [2:0] request_records,  // How many.
-    output wire m_axi_arvalid,
+    output wire m_axi_arvalid,  // Bursts wanted.
     input  wire m_axi_arready,
-    output wire [3:0] m_axi_arid,
-    output wire [31:0] m_axi_araddr,
-    output wire [7:0] m_axi_arlen,
-    output wire [2:0] m_axi_arsize,
-    output wire [1:0] m_axi_arburst,
-    input  wire m_axi_rvalid,
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid,  // Their beats.
     output wire m_axi_rready,
-    input  wire [3:0] m_axi_rid,
-    input  wire [63:0] m_axi_rdata,
-    input  wire [1:0] m_axi_rresp,
-    input  wire m_axi_rlast,
-    output reg  record_valid,
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid,  // The records.
     input  wire record_ready,
-    output wire [31:0] record_x0,
-    output wire [31:0] record_y0,
-    output wire [31:0] record_z0,
-    output wire [31:0] record_x1,
-    output wire [31:0] record_y1,
-    output wire [31:0] record_z1,
-    output wire [31:0] record_x2,
-    output wire [31:0] record_y2,
-    output wire [31:0] record_z2,
-    output wire [31:0] record_x3,
-    output wire [31:0] record_y3,
-    output wire [31:0] record_z3,
-    output reg  error,
-    output reg  misplaced
+    output wire [31:0] record_x0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z3,  // A point a lane; NaN where there is none.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
 );
     reg held;
     reg [25:0] address;
@@ -581,15 +547,15 @@ module bus_reader (
     wire takes_request = ~held | (issues & ~crosses);
     wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {3'd0, records};
-    wire [8:0] difference_1 = {burst, 3'd0} - 9'd1;
-    wire [7:0] length = difference_1[7:0];
+    wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
+    wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
-    wire term_2 = takes_request | issues;
-    wire [5:0] difference_3 = {3'd0, records} - room_records;
+    wire takes_request_or_issues = takes_request | issues;
+    wire [5:0] records_minus_room_records = {3'd0, records} - room_records;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
     wire takes_beat_1 = moves & (number[2:0] == 3'd1);
     wire takes_beat_2 = moves & (number[2:0] == 3'd2);
@@ -597,7 +563,7 @@ module bus_reader (
     wire takes_beat_4 = moves & (number[2:0] == 3'd4);
     wire takes_beat_5 = moves & (number[2:0] == 3'd5);
     wire beat_queue_out_last = beat_queue_out_data[0];
-    wire term_4 = is_wrong | (beat_queue_out_last ^ ends);
+    wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
@@ -621,21 +587,20 @@ module bus_reader (
     assign record_z3 = held_z3_0;
 
     stream_skid_w34 address_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
+        .in_data({address, length}),
         .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
         .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
         .out_data(length_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
@@ -652,16 +617,16 @@ module bus_reader (
             if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
-                is_wrong <= ~ends & term_4;
+                is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
-            misplaced <= moves & (ends & term_4);
+            misplaced <= moves & (ends & is_wrong_either);
         end
     end
     always @(posedge clk) begin
-        if (term_2) begin
+        if (takes_request_or_issues) begin
             address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
-            records <= takes_request ? request_records : difference_3[2:0];
+            records <= takes_request ? request_records : records_minus_room_records[2:0];
         end
         if (takes_beat_0) begin
             held_x0_0 <= beat_queue_out_data[32:1];
@@ -689,21 +654,16 @@ module bus_reader (
         end
     end
 
-    wire _unused = &{1'b0, difference_1[8], difference_3[5:3], m_axi_rid, request_address[5:0]};
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 8
 module stream_fifo_d16_w8 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [7:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [7:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -718,8 +678,7 @@ module stream_fifo_d16_w8 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -740,25 +699,16 @@ module stream_fifo_d16_w8 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -766,14 +716,9 @@ endmodule
 // Queue of two in registers.
 // width = 34
 module stream_skid_w34 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [33:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [33:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [33:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [33:0] out_data
 );
     reg second_valid;
     reg [33:0] head, second;
@@ -799,17 +744,14 @@ module stream_skid_w34 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -818,22 +760,21 @@ endmodule
 // beats = 3
 // width = 64
 module bus_packet_out (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
+    input  wire clk, input wire rst,
+    input  wire in_valid,  // Records.
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire in_last,
-    input  wire in_found,
-    input  wire [23:0] in_index,
-    input  wire [31:0] in_distance2,
-    input  wire in_cached,
-    output wire m_axis_tvalid,
+    input  wire [23:0] in_number,  // The query's number.
+    input  wire in_last,  // Closes the query.
+    input  wire in_found,  // Low for a query without any neighbor.
+    input  wire [23:0] in_index,  // The neighbor's place in the point memory.
+    input  wire [31:0] in_distance2,  // Its squared distance.
+    input  wire in_cached,  // With a neighbor cache, its squared distance is that to the query whose neighborhood is reused.
+    output wire m_axis_tvalid,  // Beats of packets.
     input  wire m_axis_tready,
-    output wire [63:0] m_axis_tdata,
-    output wire m_axis_tlast,
-    output reg  sent,
-    output wire idle
+    output wire [63:0] m_axis_tdata,  // Its bytes.
+    output wire m_axis_tlast,  // Closes its packet.
+    output reg  sent,  // A packet was sent.
+    output wire idle  // Nothing is on its way.
 );
     reg held;
     reg [1:0] place;
@@ -850,7 +791,7 @@ module bus_packet_out (
     wire at_end = place == 2'd2;
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
-    wire [63:0] choice_1 = place[0] ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
+    wire [63:0] beat_queue_in_data_choice = place[0] ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
     wire takes = in_valid & takes_record;
     wire beat_queue_out_last = beat_queue_out_data[0];
 
@@ -860,9 +801,8 @@ module bus_packet_out (
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(held), .in_ready(beat_queue_in_ready),
-        .in_data({place[1] ? {63'd0, held_cached} : choice_1, at_end}),
+        .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({place[1] ? {63'd0, held_cached} : beat_queue_in_data_choice, at_end}),
         .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
@@ -892,14 +832,9 @@ endmodule
 // Queue of two in registers.
 // width = 65
 module stream_skid_w65 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [64:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [64:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
 );
     reg second_valid;
     reg [64:0] head, second;
@@ -925,17 +860,14 @@ module stream_skid_w65 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -944,25 +876,24 @@ endmodule
 // beats = 4
 // width = 64
 module bus_packet_in (
-    input  wire clk,
-    input  wire rst,
-    input  wire opens,
-    input  wire last,
-    input  wire s_axis_tvalid,
+    input  wire clk, input wire rst,
+    input  wire opens,  // A run begins.
+    input  wire last,  // The packet that comes next is the run's last, where packets do not say so themselves.
+    input  wire s_axis_tvalid,  // Beats of packets.
     output wire s_axis_tready,
-    input  wire [63:0] s_axis_tdata,
-    input  wire s_axis_tlast,
-    output reg  out_valid,
+    input  wire [63:0] s_axis_tdata,  // Its bytes.
+    input  wire s_axis_tlast,  // Closes its packet.
+    output reg  out_valid,  // The records of good packets.
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire [5:0] out_k,
-    output wire [31:0] out_radius2,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z,
-    output wire [31:0] out_reach,
-    output reg  taken,
-    output reg  refused
+    output wire [23:0] out_number,  // Its number, which its results bear.
+    output wire [5:0] out_k,  // Neighbors wanted.
+    output wire [31:0] out_radius2,  // Squared radius within which neighbors count.
+    output wire [31:0] out_x,  // Where.
+    output wire [31:0] out_y,  // Where.
+    output wire [31:0] out_z,  // Where.
+    output wire [31:0] out_reach,  // With a neighbor cache, the radius around it within which a neighborhood must be complete to cover it: 0 for k nearest neighbors, the radius of a ball query.
+    output reg  taken,  // A packet was taken.
+    output reg  refused  // A packet was refused.
 );
     reg [1:0] place;
     reg is_overlong, in_range, begun, is_open;
@@ -975,9 +906,9 @@ module bus_packet_in (
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
-    wire term_1 = takes & ~is_overlong;
-    wire term_2 = place == 2'd3;
-    wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
+    wire takes_and_not_is_overlong = takes & ~is_overlong;
+    wire place_is_3 = place == 2'd3;
+    wire whole = takes & (s_axis_tlast & (place_is_3 & ~is_overlong));
     wire good = whole & in_range;
     wire advance = ~out_valid | out_ready;
     wire beat_queue_out_good = beat_queue_out_data[66];
@@ -998,8 +929,8 @@ module bus_packet_in (
     assign out_reach = held_reach_0;
 
     stream_skid_w67 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(term_1), .in_ready(beat_queue_in_ready), .in_data({good, s_axis_tdata, place}),
+        .clk(clk), .rst(rst), .in_valid(takes_and_not_is_overlong), .in_ready(beat_queue_in_ready),
+        .in_data({good, s_axis_tdata, place}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
@@ -1013,14 +944,16 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
+            if (takes_and_not_is_overlong) begin
+                place <= (s_axis_tlast | place_is_3) ? 2'd0 : (place + 2'd1);
+            end
             if (takes) begin
-                is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
+                is_overlong <= ~s_axis_tlast & (is_overlong | place_is_3);
                 begun <= ~s_axis_tlast;
             end
             is_open <= opens | (is_open & ~(good & last));
             taken <= good;
-            refused <= (takes & ((s_axis_tlast ^ term_2) & ~is_overlong)) | (whole & ~in_range);
+            refused <= (takes & ((s_axis_tlast ^ place_is_3) & ~is_overlong)) | (whole & ~in_range);
             if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
@@ -1047,14 +980,9 @@ endmodule
 // Queue of two in registers.
 // width = 67
 module stream_skid_w67 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [66:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [66:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [66:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [66:0] out_data
 );
     reg second_valid;
     reg [66:0] head, second;
@@ -1080,17 +1008,14 @@ module stream_skid_w67 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1098,54 +1023,53 @@ endmodule
 // Registers of a core.
 // registers = 30
 module bus_registers (
-    input  wire clk,
-    input  wire rst,
-    input  wire s_axil_awvalid,
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid,  // Registers to be written.
     output wire s_axil_awready,
-    input  wire [11:0] s_axil_awaddr,
-    input  wire s_axil_wvalid,
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid,  // What is written to them.
     output wire s_axil_wready,
-    input  wire [31:0] s_axil_wdata,
-    input  wire [3:0] s_axil_wstrb,
-    output reg  s_axil_bvalid,
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output reg  s_axil_bvalid,  // Answers to writes.
     input  wire s_axil_bready,
-    output wire [1:0] s_axil_bresp,
-    input  wire finished,
-    input  wire occupied,
-    output reg  busy,
-    output reg  start,
-    output reg  core_reset,
-    input  wire [1:0] burst_error,
-    input  wire packet_error,
-    input  wire [1:0] memory_error,
-    input  wire packet_taken,
-    input  wire packet_sent,
-    input  wire event_node,
-    input  wire event_pop,
-    input  wire event_beat,
-    input  wire event_insert,
-    input  wire event_insert_wait,
-    input  wire event_thread_wait,
-    input  wire event_point_hit,
-    input  wire event_point_miss,
-    input  wire event_tree_hit,
-    input  wire event_tree_miss,
-    input  wire event_cache_hit,
-    input  wire event_cache_miss,
-    input  wire s_axil_arvalid,
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire finished,  // The run has ended.
+    input  wire occupied,  // No run may begin.
+    output reg  busy,  // A run is under way.
+    output reg  start,  // A run begins.
+    output reg  core_reset,  // The core is to be reset.
+    input  wire [1:0] burst_error,  // A burst was refused, or ended where it must not.
+    input  wire packet_error,  // A packet was refused.
+    input  wire [1:0] memory_error,  // Memory answered with an error.
+    input  wire packet_taken,  // A packet was taken.
+    input  wire packet_sent,  // A packet was sent.
+    input  wire event_node,  // A node was visited.
+    input  wire event_pop,  // A path was popped.
+    input  wire event_beat,  // A priority queue was done with a beat of points.
+    input  wire event_insert,  // A neighbor was inserted.
+    input  wire event_insert_wait,  // A beat stayed for one more insertion.
+    input  wire event_thread_wait,  // A query waited for a free thread.
+    input  wire event_point_hit,  // The point cache had a leaf that was wanted.
+    input  wire event_point_miss,  // The point cache lacked a leaf that was wanted.
+    input  wire event_tree_hit,  // The tree cache had a record that was wanted.
+    input  wire event_tree_miss,  // The tree cache lacked a record that was wanted.
+    input  wire event_cache_hit,  // A neighborhood of the neighbor cache covered a query.
+    input  wire event_cache_miss,  // No neighborhood of the neighbor cache covered a query.
+    input  wire s_axil_arvalid,  // Registers to be read.
     output wire s_axil_arready,
-    input  wire [11:0] s_axil_araddr,
-    output reg  s_axil_rvalid,
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output reg  s_axil_rvalid,  // What is read from them.
     input  wire s_axil_rready,
-    output reg  [31:0] s_axil_rdata,
-    output wire [1:0] s_axil_rresp,
-    output reg  irq,
-    output wire [31:0] points_base,
-    output wire [31:0] tree_base,
-    output wire [31:0] queries,
-    output wire cache_ball,
-    output wire [31:0] cache_far_scale,
-    output wire [31:0] cache_margin_scale
+    output reg  [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    output reg  irq,  // Interrupt.
+    output wire [31:0] points_base,  // Address of the points.
+    output wire [31:0] tree_base,  // Address of the tree.
+    output wire [31:0] queries,  // Queries of the next run.
+    output wire cache_ball,  // Whether queries are balls (neighbor cache).
+    output wire [31:0] cache_far_scale,  // Factor of the distance to the farthest neighbor.
+    output wire [31:0] cache_margin_scale  // Factor of what is left of it.
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:19];
@@ -1211,24 +1135,28 @@ module bus_registers (
 
     wire read_ready = ~(has_read_address | s_axil_rvalid);
     wire judges = has_address & (has_data & ~s_axil_bvalid);
-    wire term_1 = write_address[11:2] == 10'd1;
-    wire term_2 = write_address[11:2] == 10'd3;
-    wire term_3 = write_address[11:2] == 10'd32;
-    wire term_4 = write_address[11:2] == 10'd33;
-    wire term_5 = write_address[11:2] == 10'd34;
-    wire term_6 = write_address[11:2] == 10'd35;
-    wire term_7 = write_address[11:2] == 10'd36;
-    wire term_8 = term_1 | term_2 | term_3 | term_4 | term_5 | term_6 | term_7;
-    wire term_9 = write_address[11:2] == 10'd37;
-    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_8 | term_9);
-    wire term_10 = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
-    wire idle_only = term_10 | term_5 | term_6 | term_7 | term_9;
-    wire wants_start = term_1 & write_data[0];
+    wire write_address_11_2_is_1 = write_address[11:2] == 10'd1;
+    wire write_address_11_2_is_3 = write_address[11:2] == 10'd3;
+    wire write_address_11_2_is_32 = write_address[11:2] == 10'd32;
+    wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_32;
+    wire write_address_11_2_is_33 = write_address[11:2] == 10'd33;
+    wire write_address_11_2_is_34 = write_address[11:2] == 10'd34;
+    wire shaped_either_2 = shaped_either | write_address_11_2_is_33 | write_address_11_2_is_34;
+    wire write_address_11_2_is_35 = write_address[11:2] == 10'd35;
+    wire write_address_11_2_is_36 = write_address[11:2] == 10'd36;
+    wire shaped_either_3 = shaped_either_2 | write_address_11_2_is_35 | write_address_11_2_is_36;
+    wire write_address_11_2_is_37 = write_address[11:2] == 10'd37;
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either_3 | write_address_11_2_is_37);
+    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_32;
+    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_33 | write_address_11_2_is_34;
+    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_35 | write_address_11_2_is_36;
+    wire idle_only = idle_only_either_3 | write_address_11_2_is_37;
+    wire wants_start = write_address_11_2_is_1 & write_data[0];
     wire blocked = (idle_only & busy) | (wants_start & occupied);
-    wire term_11 = (term_3 & |write_data[11:0]) | (term_4 & |write_data[11:0]);
-    wire senseless = term_11 | (wants_start & (queries_bits == 32'd0));
+    wire senseless_either = (write_address_11_2_is_32 & |write_data[11:0]) | (write_address_11_2_is_33 & |write_data[11:0]);
+    wire senseless = senseless_either | (wants_start & (queries_bits == 32'd0));
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
-    wire commands = write_accepted & term_1;
+    wire commands = write_accepted & write_address_11_2_is_1;
     wire starts = commands & write_data[0];
     reg [5:0] found;
     always @(*) begin
@@ -1268,97 +1196,102 @@ module bus_registers (
         endcase
     end
     wire reads_counter = found[5] & (read_address[11:7] == 5'd0);
-    wire term_12 = read_address[11:2] == 10'd0;
-    wire term_13 = read_address[11:2] == 10'd2;
-    wire term_14 = read_address[11:2] == 10'd3;
-    wire term_15 = read_address[11:2] == 10'd32;
-    wire term_16 = read_address[11:2] == 10'd33;
-    wire term_17 = read_address[11:2] == 10'd34;
-    wire term_18 = term_12 | term_13 | term_14 | term_15 | term_16 | term_17;
-    wire term_19 = read_address[11:2] == 10'd35;
-    wire term_20 = read_address[11:2] == 10'd36;
-    wire term_21 = read_address[11:2] == 10'd37;
-    wire term_22 = (read_address[1:0] == 2'd0) & (term_18 | term_19 | term_20 | term_21 | reads_counter);
-    wire refused_read = has_read_address & ~term_22;
+    wire read_address_11_2_is_0 = read_address[11:2] == 10'd0;
+    wire read_address_11_2_is_2 = read_address[11:2] == 10'd2;
+    wire read_address_11_2_is_3 = read_address[11:2] == 10'd3;
+    wire refused_read_either = read_address_11_2_is_0 | read_address_11_2_is_2 | read_address_11_2_is_3;
+    wire read_address_11_2_is_32 = read_address[11:2] == 10'd32;
+    wire read_address_11_2_is_33 = read_address[11:2] == 10'd33;
+    wire refused_read_either_2 = refused_read_either | read_address_11_2_is_32 | read_address_11_2_is_33;
+    wire read_address_11_2_is_34 = read_address[11:2] == 10'd34;
+    wire read_address_11_2_is_35 = read_address[11:2] == 10'd35;
+    wire refused_read_either_3 = refused_read_either_2 | read_address_11_2_is_34 | read_address_11_2_is_35;
+    wire read_address_11_2_is_36 = read_address[11:2] == 10'd36;
+    wire read_address_11_2_is_37 = read_address[11:2] == 10'd37;
+    wire refused_read_either_4 = refused_read_either_3 | read_address_11_2_is_36 | read_address_11_2_is_37;
+    wire refused_read_both = (read_address[1:0] == 2'd0) & (refused_read_either_4 | reads_counter);
+    wire refused_read = has_read_address & ~refused_read_both;
     wire asks = has_read_address & (reads_counter & ~refused_read);
     wire answers = has_read_address & (~asks | read_valid);
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
-    wire term_23 = refused_write | refused_read | refused_busy | burst_error[0];
-    wire term_24 = term_23 | burst_error[1] | packet_error | memory_error[0];
+    wire error_either = refused_write | refused_read | refused_busy | burst_error[0] | burst_error[1];
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 5'd0);
-    wire [7:0] sum_25 = {7'd0, refused_write} + {7'd0, refused_read};
+    wire [7:0] part_0_sum = {7'd0, refused_write} + {7'd0, refused_read};
     wire visits_1 = looks & (visited == 5'd1);
     wire visits_2 = looks & (visited == 5'd2);
-    wire [7:0] sum_26 = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
+    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
     wire visits_3 = looks & (visited == 5'd3);
     wire visits_4 = looks & (visited == 5'd4);
-    wire [7:0] sum_27 = {7'd0, memory_error[0]} + {7'd0, memory_error[1]};
+    wire [7:0] part_4_sum = {7'd0, memory_error[0]} + {7'd0, memory_error[1]};
     wire visits_5 = looks & (visited == 5'd5);
     wire visits_6 = looks & (visited == 5'd6);
-    wire term_28 = packet_taken & busy;
-    wire [6:0] joined_29 = {6'd0, term_28};
+    wire packet_taken_and_busy = packet_taken & busy;
+    wire [6:0] part_6_bits = {6'd0, packet_taken_and_busy};
     wire visits_7 = looks & (visited == 5'd7);
-    wire term_30 = packet_sent & busy;
-    wire [6:0] joined_31 = {6'd0, term_30};
+    wire packet_sent_and_busy = packet_sent & busy;
+    wire [6:0] part_7_bits = {6'd0, packet_sent_and_busy};
     wire visits_8 = looks & (visited == 5'd8);
-    wire term_32 = event_node & busy;
-    wire [6:0] joined_33 = {6'd0, term_32};
+    wire event_node_and_busy = event_node & busy;
+    wire [6:0] part_8_bits = {6'd0, event_node_and_busy};
     wire visits_9 = looks & (visited == 5'd9);
-    wire term_34 = event_pop & busy;
-    wire [6:0] joined_35 = {6'd0, term_34};
+    wire event_pop_and_busy = event_pop & busy;
+    wire [6:0] part_9_bits = {6'd0, event_pop_and_busy};
     wire visits_10 = looks & (visited == 5'd10);
-    wire term_36 = event_beat & busy;
-    wire [6:0] joined_37 = {6'd0, term_36};
+    wire event_beat_and_busy = event_beat & busy;
+    wire [6:0] part_10_bits = {6'd0, event_beat_and_busy};
     wire visits_11 = looks & (visited == 5'd11);
-    wire term_38 = event_insert & busy;
-    wire [6:0] joined_39 = {6'd0, term_38};
+    wire event_insert_and_busy = event_insert & busy;
+    wire [6:0] part_11_bits = {6'd0, event_insert_and_busy};
     wire visits_12 = looks & (visited == 5'd12);
-    wire term_40 = event_insert_wait & busy;
-    wire [6:0] joined_41 = {6'd0, term_40};
+    wire event_insert_wait_and_busy = event_insert_wait & busy;
+    wire [6:0] part_12_bits = {6'd0, event_insert_wait_and_busy};
     wire visits_13 = looks & (visited == 5'd13);
-    wire term_42 = event_thread_wait & busy;
-    wire [6:0] joined_43 = {6'd0, term_42};
+    wire event_thread_wait_and_busy = event_thread_wait & busy;
+    wire [6:0] part_13_bits = {6'd0, event_thread_wait_and_busy};
     wire visits_14 = looks & (visited == 5'd14);
-    wire term_44 = event_point_hit & busy;
-    wire [6:0] joined_45 = {6'd0, term_44};
+    wire event_point_hit_and_busy = event_point_hit & busy;
+    wire [6:0] part_14_bits = {6'd0, event_point_hit_and_busy};
     wire visits_15 = looks & (visited == 5'd15);
-    wire term_46 = event_point_miss & busy;
-    wire [6:0] joined_47 = {6'd0, term_46};
+    wire event_point_miss_and_busy = event_point_miss & busy;
+    wire [6:0] part_15_bits = {6'd0, event_point_miss_and_busy};
     wire visits_16 = looks & (visited == 5'd16);
-    wire term_48 = event_tree_hit & busy;
-    wire [6:0] joined_49 = {6'd0, term_48};
+    wire event_tree_hit_and_busy = event_tree_hit & busy;
+    wire [6:0] part_16_bits = {6'd0, event_tree_hit_and_busy};
     wire visits_17 = looks & (visited == 5'd17);
-    wire term_50 = event_tree_miss & busy;
-    wire [6:0] joined_51 = {6'd0, term_50};
+    wire event_tree_miss_and_busy = event_tree_miss & busy;
+    wire [6:0] part_17_bits = {6'd0, event_tree_miss_and_busy};
     wire visits_18 = looks & (visited == 5'd18);
-    wire term_52 = event_cache_hit & busy;
-    wire [6:0] joined_53 = {6'd0, term_52};
+    wire event_cache_hit_and_busy = event_cache_hit & busy;
+    wire [6:0] part_18_bits = {6'd0, event_cache_hit_and_busy};
     wire visits_19 = looks & (visited == 5'd19);
-    wire term_54 = event_cache_miss & busy;
-    wire [6:0] joined_55 = {6'd0, term_54};
-    wire [7:0] choice_56 = visited[1] ? (visited[0] ? {1'd0, part_19} : {1'd0, part_18}) : visited[0] ? {1'd0, part_17} : {1'd0, part_16};
-    wire [7:0] choice_57 = visited[3] ? {1'd0, part_19} : visited[2] ? {1'd0, part_19} : choice_56;
-    wire [7:0] choice_58 = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [7:0] choice_59 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [7:0] choice_60 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
-    wire [7:0] choice_61 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : part_0;
-    wire [7:0] choice_62 = visited[3] ? (visited[2] ? choice_58 : choice_59) : visited[2] ? choice_60 : choice_61;
-    wire choice_63 = visited[1] ? (visited[0] ? void_19 : void_18) : visited[0] ? void_17 : void_16;
-    wire choice_64 = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
-    wire choice_65 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire choice_66 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire choice_67 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
-    wire choice_68 = visited[3] ? (visited[2] ? choice_64 : choice_65) : visited[2] ? choice_66 : choice_67;
+    wire event_cache_miss_and_busy = event_cache_miss & busy;
+    wire [6:0] part_19_bits = {6'd0, event_cache_miss_and_busy};
+    wire [7:0] part_choice = visited[1] ? (visited[0] ? {1'd0, part_19} : {1'd0, part_18}) : visited[0] ? {1'd0, part_17} : {1'd0, part_16};
+    wire [7:0] part_choice_2 = visited[3] ? {1'd0, part_19} : visited[2] ? {1'd0, part_19} : part_choice;
+    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [7:0] part_choice_5 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
+    wire [7:0] part_choice_6 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : part_0;
+    wire [7:0] part_choice_7 = visited[3] ? (visited[2] ? part_choice_3 : part_choice_4) : visited[2] ? part_choice_5 : part_choice_6;
+    wire is_void_choice = visited[1] ? (visited[0] ? void_19 : void_18) : visited[0] ? void_17 : void_16;
+    wire is_void_choice_2 = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
+    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire is_void_choice_4 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire is_void_choice_5 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire is_void_choice_6 = visited[3] ? (visited[2] ? is_void_choice_2 : is_void_choice_3) : visited[2] ? is_void_choice_4 : is_void_choice_5;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] term_69 = ({32{term_12}} & 32'h50430b01) | ({32{term_13}} & {29'd0, error, done, busy});
-    wire [31:0] term_70 = term_69 | ({32{term_14}} & {31'd0, interrupt_enable_bits});
-    wire [31:0] term_71 = term_70 | ({32{term_15}} & {points_base_bits, 12'd0}) | ({32{term_16}} & {tree_base_bits, 12'd0});
-    wire [31:0] term_72 = term_71 | ({32{term_17}} & queries_bits) | ({32{term_19}} & {31'd0, cache_ball_bits});
-    wire [31:0] term_73 = term_72 | ({32{term_20}} & cache_far_scale_bits) | ({32{term_21}} & cache_margin_scale_bits);
+    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430b01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
+    wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] s_axil_rdata_either_3 = s_axil_rdata_either_2 | ({32{read_address_11_2_is_32}} & {points_base_bits, 12'd0});
+    wire [31:0] s_axil_rdata_either_4 = s_axil_rdata_either_3 | ({32{read_address_11_2_is_33}} & {tree_base_bits, 12'd0});
+    wire [31:0] s_axil_rdata_either_5 = s_axil_rdata_either_4 | ({32{read_address_11_2_is_34}} & queries_bits);
+    wire [31:0] s_axil_rdata_either_6 = s_axil_rdata_either_5 | ({32{read_address_11_2_is_35}} & {31'd0, cache_ball_bits});
+    wire [31:0] s_axil_rdata_either_7 = s_axil_rdata_either_6 | ({32{read_address_11_2_is_36}} & cache_far_scale_bits);
+    wire [31:0] s_axil_rdata_either_8 = s_axil_rdata_either_7 | ({32{read_address_11_2_is_37}} & cache_margin_scale_bits);
 
     assign s_axil_awready = ~has_address;
     assign s_axil_wready = ~has_data;
@@ -1448,58 +1381,58 @@ module bus_registers (
             clear_errors <= commands & write_data[2];
             done <= ~starts & (done | (busy & finished));
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= term_24 | memory_error[1] | (error & ~clear_errors);
+            error <= error_either | packet_error | memory_error[0] | memory_error[1] | (error & ~clear_errors);
             adds <= looks;
-            part_0 <= (visits_0 | clear_errors) ? sum_25 : (part_0 + sum_25);
+            part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
             void_0 <= clear_errors | (void_0 & ~visits_0);
             part_1 <= (visits_1 | clear_errors) ? {6'd0, refused_busy} : (part_1 + {6'd0, refused_busy});
             void_1 <= clear_errors | (void_1 & ~visits_1);
-            part_2 <= (visits_2 | clear_errors) ? sum_26 : (part_2 + sum_26);
+            part_2 <= (visits_2 | clear_errors) ? part_2_sum : (part_2 + part_2_sum);
             void_2 <= clear_errors | (void_2 & ~visits_2);
             part_3 <= (visits_3 | clear_errors) ? {6'd0, packet_error} : (part_3 + {6'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
-            part_4 <= (visits_4 | clear_errors) ? sum_27 : (part_4 + sum_27);
+            part_4 <= (visits_4 | clear_errors) ? part_4_sum : (part_4 + part_4_sum);
             void_4 <= clear_errors | (void_4 & ~visits_4);
             part_5 <= (visits_5 | start) ? {6'd0, busy} : (part_5 + {6'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? joined_29 : (part_6 + joined_29);
+            part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
             void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? joined_31 : (part_7 + joined_31);
+            part_7 <= (visits_7 | start) ? part_7_bits : (part_7 + part_7_bits);
             void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? joined_33 : (part_8 + joined_33);
+            part_8 <= (visits_8 | start) ? part_8_bits : (part_8 + part_8_bits);
             void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? joined_35 : (part_9 + joined_35);
+            part_9 <= (visits_9 | start) ? part_9_bits : (part_9 + part_9_bits);
             void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? joined_37 : (part_10 + joined_37);
+            part_10 <= (visits_10 | start) ? part_10_bits : (part_10 + part_10_bits);
             void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? joined_39 : (part_11 + joined_39);
+            part_11 <= (visits_11 | start) ? part_11_bits : (part_11 + part_11_bits);
             void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? joined_41 : (part_12 + joined_41);
+            part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? joined_43 : (part_13 + joined_43);
+            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
             void_13 <= start | (void_13 & ~visits_13);
-            part_14 <= (visits_14 | start) ? joined_45 : (part_14 + joined_45);
+            part_14 <= (visits_14 | start) ? part_14_bits : (part_14 + part_14_bits);
             void_14 <= start | (void_14 & ~visits_14);
-            part_15 <= (visits_15 | start) ? joined_47 : (part_15 + joined_47);
+            part_15 <= (visits_15 | start) ? part_15_bits : (part_15 + part_15_bits);
             void_15 <= start | (void_15 & ~visits_15);
-            part_16 <= (visits_16 | start) ? joined_49 : (part_16 + joined_49);
+            part_16 <= (visits_16 | start) ? part_16_bits : (part_16 + part_16_bits);
             void_16 <= start | (void_16 & ~visits_16);
-            part_17 <= (visits_17 | start) ? joined_51 : (part_17 + joined_51);
+            part_17 <= (visits_17 | start) ? part_17_bits : (part_17 + part_17_bits);
             void_17 <= start | (void_17 & ~visits_17);
-            part_18 <= (visits_18 | start) ? joined_53 : (part_18 + joined_53);
+            part_18 <= (visits_18 | start) ? part_18_bits : (part_18 + part_18_bits);
             void_18 <= start | (void_18 & ~visits_18);
-            part_19 <= (visits_19 | start) ? joined_55 : (part_19 + joined_55);
+            part_19 <= (visits_19 | start) ? part_19_bits : (part_19 + part_19_bits);
             void_19 <= start | (void_19 & ~visits_19);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
-            if (write_accepted & term_3) points_base_bits <= write_data[31:12];
-            if (write_accepted & term_4) tree_base_bits <= write_data[31:12];
-            if (write_accepted & term_5) queries_bits <= write_data;
-            if (write_accepted & term_6) cache_ball_bits <= write_data[0];
-            if (write_accepted & term_7) cache_far_scale_bits <= write_data;
-            if (write_accepted & term_9) cache_margin_scale_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_3) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & write_address_11_2_is_32) points_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_33) tree_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_34) queries_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_35) cache_ball_bits <= write_data[0];
+            if (write_accepted & write_address_11_2_is_36) cache_far_scale_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_37) cache_margin_scale_bits <= write_data;
             if (adds) begin
                 visited <= turns_aside ? found[4:0] : round;
                 for_read <= turns_aside;
@@ -1515,11 +1448,11 @@ module bus_registers (
         end
         if (judges) write_is_okay <= write_accepted;
         if (read_ready) read_address <= s_axil_araddr;
-        part <= visited[4] ? choice_57 : choice_62;
-        is_void <= visited[4] ? (visited[3] ? void_19 : visited[2] ? void_19 : choice_63) : choice_68;
+        part <= visited[4] ? part_choice_2 : part_choice_7;
+        is_void <= visited[4] ? (visited[3] ? void_19 : visited[2] ? void_19 : is_void_choice) : is_void_choice_6;
         read_value <= saturated;
         if (answers) begin
-            s_axil_rdata <= asks ? read_value : (term_73 & {32{~refused_read}});
+            s_axil_rdata <= asks ? read_value : (s_axil_rdata_either_8 & {32{~refused_read}});
             read_is_error <= refused_read;
         end
     end
@@ -1529,196 +1462,93 @@ module bus_registers (
     end
 
 `ifdef RTL_ASSERT
-    wire [8:0] sum_74 = {1'd0, part_0} + {1'd0, sum_25};
-    wire [7:0] sum_75 = {1'd0, part_1} + {7'd0, refused_busy};
-    wire [8:0] sum_76 = {1'd0, part_2} + {1'd0, sum_26};
-    wire [7:0] sum_77 = {1'd0, part_3} + {7'd0, packet_error};
-    wire [8:0] sum_78 = {1'd0, part_4} + {1'd0, sum_27};
-    wire [7:0] sum_79 = {1'd0, part_5} + {7'd0, busy};
-    wire [7:0] sum_80 = {1'd0, part_6} + {7'd0, term_28};
-    wire [7:0] sum_81 = {1'd0, part_7} + {7'd0, term_30};
-    wire [7:0] sum_82 = {1'd0, part_8} + {7'd0, term_32};
-    wire [7:0] sum_83 = {1'd0, part_9} + {7'd0, term_34};
-    wire [7:0] sum_84 = {1'd0, part_10} + {7'd0, term_36};
-    wire [7:0] sum_85 = {1'd0, part_11} + {7'd0, term_38};
-    wire [7:0] sum_86 = {1'd0, part_12} + {7'd0, term_40};
-    wire [7:0] sum_87 = {1'd0, part_13} + {7'd0, term_42};
-    wire [7:0] sum_88 = {1'd0, part_14} + {7'd0, term_44};
-    wire [7:0] sum_89 = {1'd0, part_15} + {7'd0, term_46};
-    wire [7:0] sum_90 = {1'd0, part_16} + {7'd0, term_48};
-    wire [7:0] sum_91 = {1'd0, part_17} + {7'd0, term_50};
-    wire [7:0] sum_92 = {1'd0, part_18} + {7'd0, term_52};
-    wire [7:0] sum_93 = {1'd0, part_19} + {7'd0, term_54};
+    wire [8:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
+    wire [7:0] part_1_plus_refused_busy = {1'd0, part_1} + {7'd0, refused_busy};
+    wire [8:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
+    wire [7:0] part_3_plus_packet_error = {1'd0, part_3} + {7'd0, packet_error};
+    wire [8:0] part_4_plus_part_4_sum = {1'd0, part_4} + {1'd0, part_4_sum};
+    wire [7:0] part_5_plus_busy = {1'd0, part_5} + {7'd0, busy};
+    wire [7:0] check_sum = {1'd0, part_6} + {7'd0, packet_taken_and_busy};
+    wire [7:0] check_sum_2 = {1'd0, part_7} + {7'd0, packet_sent_and_busy};
+    wire [7:0] check_sum_3 = {1'd0, part_8} + {7'd0, event_node_and_busy};
+    wire [7:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {7'd0, event_pop_and_busy};
+    wire [7:0] check_sum_4 = {1'd0, part_10} + {7'd0, event_beat_and_busy};
+    wire [7:0] check_sum_5 = {1'd0, part_11} + {7'd0, event_insert_and_busy};
+    wire [7:0] check_sum_6 = {1'd0, part_12} + {7'd0, event_insert_wait_and_busy};
+    wire [7:0] check_sum_7 = {1'd0, part_13} + {7'd0, event_thread_wait_and_busy};
+    wire [7:0] check_sum_8 = {1'd0, part_14} + {7'd0, event_point_hit_and_busy};
+    wire [7:0] check_sum_9 = {1'd0, part_15} + {7'd0, event_point_miss_and_busy};
+    wire [7:0] check_sum_10 = {1'd0, part_16} + {7'd0, event_tree_hit_and_busy};
+    wire [7:0] check_sum_11 = {1'd0, part_17} + {7'd0, event_tree_miss_and_busy};
+    wire [7:0] check_sum_12 = {1'd0, part_18} + {7'd0, event_cache_hit_and_busy};
+    wire [7:0] check_sum_13 = {1'd0, part_19} + {7'd0, event_cache_miss_and_busy};
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~sum_74[8])) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                part_0_has_room: assert (0);
+        part_0_has_room: assert (~part_0_plus_part_0_sum[8]);
+        part_1_has_room: assert (~part_1_plus_refused_busy[7]);
+        part_2_has_room: assert (~part_2_plus_part_2_sum[8]);
+        part_3_has_room: assert (~part_3_plus_packet_error[7]);
+        part_4_has_room: assert (~part_4_plus_part_4_sum[8]);
+        part_5_has_room: assert (~part_5_plus_busy[7]);
+        part_6_has_room: assert (~check_sum[7]);
+        part_7_has_room: assert (~check_sum_2[7]);
+        part_8_has_room: assert (~check_sum_3[7]);
+        part_9_has_room: assert (~part_9_plus_event_pop_and_busy[7]);
+        part_10_has_room: assert (~check_sum_4[7]);
+        part_11_has_room: assert (~check_sum_5[7]);
+        part_12_has_room: assert (~check_sum_6[7]);
+        part_13_has_room: assert (~check_sum_7[7]);
+        part_14_has_room: assert (~check_sum_8[7]);
+        part_15_has_room: assert (~check_sum_9[7]);
+        part_16_has_room: assert (~check_sum_10[7]);
+        part_17_has_room: assert (~check_sum_11[7]);
+        part_18_has_room: assert (~check_sum_12[7]);
+        part_19_has_room: assert (~check_sum_13[7]);
 `else
-                $display("assertion failed: part_0_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_75[7])) begin
-`ifdef FORMAL
-                part_1_has_room: assert (0);
-`else
-                $display("assertion failed: part_1_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_76[8])) begin
-`ifdef FORMAL
-                part_2_has_room: assert (0);
-`else
-                $display("assertion failed: part_2_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_77[7])) begin
-`ifdef FORMAL
-                part_3_has_room: assert (0);
-`else
-                $display("assertion failed: part_3_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_78[8])) begin
-`ifdef FORMAL
-                part_4_has_room: assert (0);
-`else
-                $display("assertion failed: part_4_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_79[7])) begin
-`ifdef FORMAL
-                part_5_has_room: assert (0);
-`else
-                $display("assertion failed: part_5_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_80[7])) begin
-`ifdef FORMAL
-                part_6_has_room: assert (0);
-`else
-                $display("assertion failed: part_6_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_81[7])) begin
-`ifdef FORMAL
-                part_7_has_room: assert (0);
-`else
-                $display("assertion failed: part_7_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_82[7])) begin
-`ifdef FORMAL
-                part_8_has_room: assert (0);
-`else
-                $display("assertion failed: part_8_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_83[7])) begin
-`ifdef FORMAL
-                part_9_has_room: assert (0);
-`else
-                $display("assertion failed: part_9_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_84[7])) begin
-`ifdef FORMAL
-                part_10_has_room: assert (0);
-`else
-                $display("assertion failed: part_10_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_85[7])) begin
-`ifdef FORMAL
-                part_11_has_room: assert (0);
-`else
-                $display("assertion failed: part_11_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_86[7])) begin
-`ifdef FORMAL
-                part_12_has_room: assert (0);
-`else
-                $display("assertion failed: part_12_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_87[7])) begin
-`ifdef FORMAL
-                part_13_has_room: assert (0);
-`else
-                $display("assertion failed: part_13_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_88[7])) begin
-`ifdef FORMAL
-                part_14_has_room: assert (0);
-`else
-                $display("assertion failed: part_14_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_89[7])) begin
-`ifdef FORMAL
-                part_15_has_room: assert (0);
-`else
-                $display("assertion failed: part_15_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_90[7])) begin
-`ifdef FORMAL
-                part_16_has_room: assert (0);
-`else
-                $display("assertion failed: part_16_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_91[7])) begin
-`ifdef FORMAL
-                part_17_has_room: assert (0);
-`else
-                $display("assertion failed: part_17_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_92[7])) begin
-`ifdef FORMAL
-                part_18_has_room: assert (0);
-`else
-                $display("assertion failed: part_18_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~sum_93[7])) begin
-`ifdef FORMAL
-                part_19_has_room: assert (0);
-`else
-                $display("assertion failed: part_19_has_room in %m");
-                $stop;
-`endif
-            end
+        if (!(~part_0_plus_part_0_sum[8])) begin
+            $display("assertion failed: part_0_has_room in %m"); $stop;
         end
+        if (!(~part_1_plus_refused_busy[7])) begin
+            $display("assertion failed: part_1_has_room in %m"); $stop;
+        end
+        if (!(~part_2_plus_part_2_sum[8])) begin
+            $display("assertion failed: part_2_has_room in %m"); $stop;
+        end
+        if (!(~part_3_plus_packet_error[7])) begin
+            $display("assertion failed: part_3_has_room in %m"); $stop;
+        end
+        if (!(~part_4_plus_part_4_sum[8])) begin
+            $display("assertion failed: part_4_has_room in %m"); $stop;
+        end
+        if (!(~part_5_plus_busy[7])) begin
+            $display("assertion failed: part_5_has_room in %m"); $stop;
+        end
+        if (!(~check_sum[7])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
+        if (!(~check_sum_2[7])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
+        if (!(~check_sum_3[7])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
+        if (!(~part_9_plus_event_pop_and_busy[7])) begin
+            $display("assertion failed: part_9_has_room in %m"); $stop;
+        end
+        if (!(~check_sum_4[7])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
+        if (!(~check_sum_5[7])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
+        if (!(~check_sum_6[7])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
+        if (!(~check_sum_7[7])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
+        if (!(~check_sum_8[7])) begin $display("assertion failed: part_14_has_room in %m"); $stop; end
+        if (!(~check_sum_9[7])) begin $display("assertion failed: part_15_has_room in %m"); $stop; end
+        if (!(~check_sum_10[7])) begin $display("assertion failed: part_16_has_room in %m"); $stop; end
+        if (!(~check_sum_11[7])) begin $display("assertion failed: part_17_has_room in %m"); $stop; end
+        if (!(~check_sum_12[7])) begin $display("assertion failed: part_18_has_room in %m"); $stop; end
+        if (!(~check_sum_13[7])) begin $display("assertion failed: part_19_has_room in %m"); $stop; end
+`endif
     end
 
     wire _unused_by_checks = &{
-        1'b0, sum_74[7:0], sum_75[6:0], sum_76[7:0], sum_77[6:0], sum_78[7:0], sum_79[6:0], sum_80[6:0],
-        sum_81[6:0], sum_82[6:0], sum_83[6:0], sum_84[6:0], sum_85[6:0], sum_86[6:0], sum_87[6:0],
-        sum_88[6:0], sum_89[6:0], sum_90[6:0], sum_91[6:0], sum_92[6:0], sum_93[6:0]
+        1'b0, check_sum[6:0], check_sum_10[6:0], check_sum_11[6:0], check_sum_12[6:0], check_sum_13[6:0],
+        check_sum_2[6:0], check_sum_3[6:0], check_sum_4[6:0], check_sum_5[6:0], check_sum_6[6:0],
+        check_sum_7[6:0], check_sum_8[6:0], check_sum_9[6:0], part_0_plus_part_0_sum[7:0],
+        part_1_plus_refused_busy[6:0], part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[6:0],
+        part_4_plus_part_4_sum[7:0], part_5_plus_busy[6:0], part_9_plus_event_pop_and_busy[6:0]
     };
 `endif
 endmodule

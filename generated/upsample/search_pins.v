@@ -3,10 +3,8 @@
 
 // A unit between registers, behind few pins.
 module search_pins (
-    input  wire clk,
-    input  wire rst,
-    input  wire serial_in,
-    output wire serial_out
+    input  wire clk, input wire rst,
+    input  wire serial_in, output wire serial_out
 );
     reg catch_lookup_valid, drive_lookup_ready;
     reg [3:0] catch_lookup_thread;
@@ -64,51 +62,50 @@ module search_pins (
     wire unit_event_insert_wait, unit_event_thread_wait, unit_event_point_hit, unit_event_point_miss;
     wire unit_event_tree_hit, unit_event_tree_miss, unit_event_cache_hit, unit_event_cache_miss;
 
-    wire term_1 = drive_result_ready ^ catch_event_cache_miss ^ catch_event_cache_hit;
-    wire term_2 = catch_event_tree_hit ^ catch_event_point_miss ^ catch_event_point_hit;
-    wire term_3 = catch_event_insert_wait ^ catch_event_insert ^ catch_event_beat;
-    wire term_4 = catch_event_node ^ catch_result_cached ^ catch_result_distance2[0];
-    wire term_5 = catch_result_distance2[2] ^ catch_result_distance2[3] ^ catch_result_distance2[4];
-    wire term_6 = catch_result_distance2[6] ^ catch_result_distance2[7] ^ catch_result_distance2[8];
-    wire term_7 = catch_result_distance2[10] ^ catch_result_distance2[11] ^ catch_result_distance2[12];
-    wire term_8 = catch_result_distance2[14] ^ catch_result_distance2[15] ^ catch_result_distance2[16];
-    wire term_9 = catch_result_distance2[18] ^ catch_result_distance2[19] ^ catch_result_distance2[20];
-    wire term_10 = catch_result_distance2[22] ^ catch_result_distance2[23] ^ catch_result_distance2[24];
-    wire term_11 = catch_result_distance2[26] ^ catch_result_distance2[27] ^ catch_result_distance2[28];
-    wire term_12 = catch_result_distance2[30] ^ catch_result_distance2[31] ^ catch_result_index[0];
-    wire term_13 = catch_result_index[2] ^ catch_result_index[3] ^ catch_result_index[4];
-    wire term_14 = catch_result_index[6] ^ catch_result_index[7] ^ catch_result_index[8];
-    wire term_15 = catch_result_index[10] ^ catch_result_index[11] ^ catch_result_index[12];
-    wire term_16 = catch_result_index[14] ^ catch_result_index[15] ^ catch_result_index[16];
-    wire term_17 = catch_result_index[18] ^ catch_result_index[19] ^ catch_result_index[20];
-    wire term_18 = catch_result_index[22] ^ catch_result_index[23] ^ catch_result_found;
-    wire term_19 = catch_result_number[0] ^ catch_result_number[1] ^ catch_result_number[2];
-    wire term_20 = catch_result_number[4] ^ catch_result_number[5] ^ catch_result_number[6];
-    wire term_21 = catch_result_number[8] ^ catch_result_number[9] ^ catch_result_number[10];
-    wire term_22 = catch_result_number[12] ^ catch_result_number[13] ^ catch_result_number[14];
-    wire term_23 = catch_result_number[16] ^ catch_result_number[17] ^ catch_result_number[18];
-    wire term_24 = catch_result_number[20] ^ catch_result_number[21] ^ catch_result_number[22];
-    wire term_25 = catch_result_valid ^ catch_beat_ready ^ catch_fetch_beats[0];
-    wire term_26 = catch_fetch_beats[2] ^ catch_fetch_address[0] ^ catch_fetch_address[1];
-    wire term_27 = catch_fetch_address[3] ^ catch_fetch_address[4] ^ catch_fetch_address[5];
-    wire term_28 = catch_fetch_address[7] ^ catch_fetch_address[8] ^ catch_fetch_address[9];
-    wire term_29 = catch_fetch_address[11] ^ catch_fetch_address[12] ^ catch_fetch_address[13];
-    wire term_30 = catch_fetch_address[15] ^ catch_fetch_address[16] ^ catch_fetch_address[17];
-    wire term_31 = catch_fetch_address[19] ^ catch_fetch_address[20] ^ catch_fetch_address[21];
-    wire term_32 = catch_fetch_thread[1] ^ catch_fetch_thread[2] ^ catch_fetch_thread[3];
-    wire term_33 = catch_query_ready ^ catch_record_ready ^ catch_lookup_address[0];
-    wire term_34 = catch_lookup_address[2] ^ catch_lookup_address[3] ^ catch_lookup_address[4];
-    wire term_35 = catch_lookup_address[6] ^ catch_lookup_address[7] ^ catch_lookup_address[8];
-    wire term_36 = catch_lookup_address[10] ^ catch_lookup_address[11] ^ catch_lookup_address[12];
-    wire term_37 = catch_lookup_address[14] ^ catch_lookup_address[15] ^ catch_lookup_address[16];
-    wire term_38 = catch_lookup_address[18] ^ catch_lookup_address[19] ^ catch_lookup_address[20];
-    wire term_39 = catch_lookup_thread[1] ^ catch_lookup_thread[2] ^ catch_lookup_thread[3];
+    wire fold_0_unequal = drive_result_ready ^ catch_event_cache_miss ^ catch_event_cache_hit;
+    wire fold_0_unequal_2 = catch_event_tree_hit ^ catch_event_point_miss ^ catch_event_point_hit;
+    wire fold_0_unequal_3 = catch_event_insert_wait ^ catch_event_insert ^ catch_event_beat ^ catch_event_pop;
+    wire fold_0_unequal_4 = catch_event_node ^ catch_result_cached ^ catch_result_distance2[0];
+    wire fold_0_unequal_5 = catch_result_distance2[2] ^ catch_result_distance2[3] ^ catch_result_distance2[4];
+    wire fold_0_unequal_6 = catch_result_distance2[6] ^ catch_result_distance2[7] ^ catch_result_distance2[8];
+    wire fold_0_unequal_7 = catch_result_distance2[10] ^ catch_result_distance2[11] ^ catch_result_distance2[12];
+    wire fold_0_unequal_8 = catch_result_distance2[14] ^ catch_result_distance2[15] ^ catch_result_distance2[16];
+    wire fold_0_unequal_9 = catch_result_distance2[18] ^ catch_result_distance2[19] ^ catch_result_distance2[20];
+    wire fold_0_unequal_10 = catch_result_distance2[22] ^ catch_result_distance2[23] ^ catch_result_distance2[24];
+    wire fold_0_unequal_11 = catch_result_distance2[26] ^ catch_result_distance2[27] ^ catch_result_distance2[28];
+    wire fold_0_unequal_12 = catch_result_distance2[30] ^ catch_result_distance2[31] ^ catch_result_index[0];
+    wire fold_0_unequal_13 = catch_result_index[2] ^ catch_result_index[3] ^ catch_result_index[4];
+    wire fold_0_unequal_14 = catch_result_index[6] ^ catch_result_index[7] ^ catch_result_index[8];
+    wire fold_0_unequal_15 = catch_result_index[10] ^ catch_result_index[11] ^ catch_result_index[12];
+    wire fold_0_unequal_16 = catch_result_index[14] ^ catch_result_index[15] ^ catch_result_index[16];
+    wire fold_0_unequal_17 = catch_result_index[18] ^ catch_result_index[19] ^ catch_result_index[20];
+    wire fold_0_unequal_18 = catch_result_index[22] ^ catch_result_index[23] ^ catch_result_found;
+    wire fold_0_unequal_19 = catch_result_number[0] ^ catch_result_number[1] ^ catch_result_number[2];
+    wire fold_0_unequal_20 = catch_result_number[4] ^ catch_result_number[5] ^ catch_result_number[6];
+    wire fold_0_unequal_21 = catch_result_number[8] ^ catch_result_number[9] ^ catch_result_number[10];
+    wire fold_0_unequal_22 = catch_result_number[12] ^ catch_result_number[13] ^ catch_result_number[14];
+    wire fold_0_unequal_23 = catch_result_number[16] ^ catch_result_number[17] ^ catch_result_number[18];
+    wire fold_0_unequal_24 = catch_result_number[20] ^ catch_result_number[21] ^ catch_result_number[22];
+    wire fold_0_unequal_25 = catch_result_valid ^ catch_beat_ready ^ catch_fetch_beats[0] ^ catch_fetch_beats[1];
+    wire fold_0_unequal_26 = catch_fetch_beats[2] ^ catch_fetch_address[0] ^ catch_fetch_address[1];
+    wire fold_0_unequal_27 = catch_fetch_address[3] ^ catch_fetch_address[4] ^ catch_fetch_address[5];
+    wire fold_0_unequal_28 = catch_fetch_address[7] ^ catch_fetch_address[8] ^ catch_fetch_address[9];
+    wire fold_0_unequal_29 = catch_fetch_address[11] ^ catch_fetch_address[12] ^ catch_fetch_address[13];
+    wire fold_0_unequal_30 = catch_fetch_address[15] ^ catch_fetch_address[16] ^ catch_fetch_address[17];
+    wire fold_0_unequal_31 = catch_fetch_address[19] ^ catch_fetch_address[20] ^ catch_fetch_address[21];
+    wire fold_0_unequal_32 = catch_fetch_thread[1] ^ catch_fetch_thread[2] ^ catch_fetch_thread[3];
+    wire fold_0_unequal_33 = catch_query_ready ^ catch_record_ready ^ catch_lookup_address[0] ^ catch_lookup_address[1];
+    wire fold_0_unequal_34 = catch_lookup_address[2] ^ catch_lookup_address[3] ^ catch_lookup_address[4];
+    wire fold_0_unequal_35 = catch_lookup_address[6] ^ catch_lookup_address[7] ^ catch_lookup_address[8];
+    wire fold_0_unequal_36 = catch_lookup_address[10] ^ catch_lookup_address[11] ^ catch_lookup_address[12];
+    wire fold_0_unequal_37 = catch_lookup_address[14] ^ catch_lookup_address[15] ^ catch_lookup_address[16];
+    wire fold_0_unequal_38 = catch_lookup_address[18] ^ catch_lookup_address[19] ^ catch_lookup_address[20];
+    wire fold_0_unequal_39 = catch_lookup_thread[1] ^ catch_lookup_thread[2] ^ catch_lookup_thread[3];
 
     assign serial_out = fold_3;
 
     search_top unit (
-        .clk(clk), .rst(rst),
-        .lookup_valid(unit_lookup_valid), .lookup_ready(drive_lookup_ready),
+        .clk(clk), .rst(rst), .lookup_valid(unit_lookup_valid), .lookup_ready(drive_lookup_ready),
         .lookup_thread(unit_lookup_thread), .lookup_address(unit_lookup_address),
         .record_valid(drive_record_valid), .record_ready(unit_record_ready),
         .record_thread(drive_record_thread), .record_address(drive_record_address),
@@ -209,21 +206,25 @@ module search_pins (
         catch_event_cache_hit <= unit_event_cache_hit;
         catch_event_cache_miss <= unit_event_cache_miss;
         fold_0 <= {
-            term_1 ^ catch_event_tree_miss, term_2 ^ catch_event_thread_wait, term_3 ^ catch_event_pop,
-            term_4 ^ catch_result_distance2[1], term_5 ^ catch_result_distance2[5],
-            term_6 ^ catch_result_distance2[9], term_7 ^ catch_result_distance2[13],
-            term_8 ^ catch_result_distance2[17], term_9 ^ catch_result_distance2[21],
-            term_10 ^ catch_result_distance2[25], term_11 ^ catch_result_distance2[29],
-            term_12 ^ catch_result_index[1], term_13 ^ catch_result_index[5], term_14 ^ catch_result_index[9],
-            term_15 ^ catch_result_index[13], term_16 ^ catch_result_index[17], term_17 ^ catch_result_index[21],
-            term_18 ^ catch_result_last, term_19 ^ catch_result_number[3], term_20 ^ catch_result_number[7],
-            term_21 ^ catch_result_number[11], term_22 ^ catch_result_number[15],
-            term_23 ^ catch_result_number[19], term_24 ^ catch_result_number[23], term_25 ^ catch_fetch_beats[1],
-            term_26 ^ catch_fetch_address[2], term_27 ^ catch_fetch_address[6], term_28 ^ catch_fetch_address[10],
-            term_29 ^ catch_fetch_address[14], term_30 ^ catch_fetch_address[18], term_31 ^ catch_fetch_thread[0],
-            term_32 ^ catch_fetch_valid, term_33 ^ catch_lookup_address[1], term_34 ^ catch_lookup_address[5],
-            term_35 ^ catch_lookup_address[9], term_36 ^ catch_lookup_address[13],
-            term_37 ^ catch_lookup_address[17], term_38 ^ catch_lookup_thread[0], term_39 ^ catch_lookup_valid
+            fold_0_unequal ^ catch_event_tree_miss, fold_0_unequal_2 ^ catch_event_thread_wait, fold_0_unequal_3,
+            fold_0_unequal_4 ^ catch_result_distance2[1], fold_0_unequal_5 ^ catch_result_distance2[5],
+            fold_0_unequal_6 ^ catch_result_distance2[9], fold_0_unequal_7 ^ catch_result_distance2[13],
+            fold_0_unequal_8 ^ catch_result_distance2[17], fold_0_unequal_9 ^ catch_result_distance2[21],
+            fold_0_unequal_10 ^ catch_result_distance2[25], fold_0_unequal_11 ^ catch_result_distance2[29],
+            fold_0_unequal_12 ^ catch_result_index[1], fold_0_unequal_13 ^ catch_result_index[5],
+            fold_0_unequal_14 ^ catch_result_index[9], fold_0_unequal_15 ^ catch_result_index[13],
+            fold_0_unequal_16 ^ catch_result_index[17], fold_0_unequal_17 ^ catch_result_index[21],
+            fold_0_unequal_18 ^ catch_result_last, fold_0_unequal_19 ^ catch_result_number[3],
+            fold_0_unequal_20 ^ catch_result_number[7], fold_0_unequal_21 ^ catch_result_number[11],
+            fold_0_unequal_22 ^ catch_result_number[15], fold_0_unequal_23 ^ catch_result_number[19],
+            fold_0_unequal_24 ^ catch_result_number[23], fold_0_unequal_25,
+            fold_0_unequal_26 ^ catch_fetch_address[2], fold_0_unequal_27 ^ catch_fetch_address[6],
+            fold_0_unequal_28 ^ catch_fetch_address[10], fold_0_unequal_29 ^ catch_fetch_address[14],
+            fold_0_unequal_30 ^ catch_fetch_address[18], fold_0_unequal_31 ^ catch_fetch_thread[0],
+            fold_0_unequal_32 ^ catch_fetch_valid, fold_0_unequal_33, fold_0_unequal_34 ^ catch_lookup_address[5],
+            fold_0_unequal_35 ^ catch_lookup_address[9], fold_0_unequal_36 ^ catch_lookup_address[13],
+            fold_0_unequal_37 ^ catch_lookup_address[17], fold_0_unequal_38 ^ catch_lookup_thread[0],
+            fold_0_unequal_39 ^ catch_lookup_valid
         };
         fold_1 <= {
             fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],

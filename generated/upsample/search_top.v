@@ -3,8 +3,7 @@
 
 // Neighbor search: queries in, nearest neighbors out.
 module search_top (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     output wire lookup_valid,  // Requests for records of the tree.
     input  wire lookup_ready,
     output wire [3:0] lookup_thread,  // Thread.
@@ -200,9 +199,8 @@ module search_top (
     assign event_cache_miss = neighbor_cache_event_cache_miss;
 
     search_neighbor_cache neighbor_cache (
-        .clk(clk), .rst(rst),
-        .setup_valid(setup_valid), .setup_ball(setup_ball), .setup_far_scale(setup_far_scale),
-        .setup_margin_scale(setup_margin_scale),
+        .clk(clk), .rst(rst), .setup_valid(setup_valid), .setup_ball(setup_ball),
+        .setup_far_scale(setup_far_scale), .setup_margin_scale(setup_margin_scale),
         .result_valid(neighbor_cache_result_valid), .result_ready(result_ready),
         .result_number(neighbor_cache_result_number), .result_last(neighbor_cache_result_last),
         .result_found(neighbor_cache_result_found), .result_index(neighbor_cache_result_index),
@@ -221,8 +219,7 @@ module search_top (
     );
 
     search_threads threads (
-        .clk(clk), .rst(rst),
-        .query_valid(neighbor_cache_search_valid), .query_ready(threads_query_ready),
+        .clk(clk), .rst(rst), .query_valid(neighbor_cache_search_valid), .query_ready(threads_query_ready),
         .query_number(neighbor_cache_search_number), .query_k(neighbor_cache_search_k),
         .query_radius2(neighbor_cache_search_radius2), .query_x(neighbor_cache_search_x),
         .query_y(neighbor_cache_search_y), .query_z(neighbor_cache_search_z),
@@ -243,8 +240,7 @@ module search_top (
     );
 
     search_traversal traversal (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
@@ -266,16 +262,14 @@ module search_top (
     );
 
     search_stack stack (
-        .clk(clk), .rst(rst),
-        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .clk(clk), .rst(rst), .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
         .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
         .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
         .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2)
     );
 
     search_recursion recursion (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
@@ -290,8 +284,7 @@ module search_top (
     );
 
     search_leaf leaf (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
@@ -309,8 +302,7 @@ module search_top (
     );
 
     search_sieve sieve (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
@@ -328,8 +320,7 @@ module search_top (
     );
 
     search_queue queue (
-        .clk(clk), .rst(rst),
-        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .clk(clk), .rst(rst), .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
         .candidates_valid(sieve_kept_valid), .candidates_ready(queue_candidates_ready),
@@ -351,8 +342,7 @@ module search_top (
     );
 
     search_tree_cache tree_cache (
-        .clk(clk), .rst(rst),
-        .node_valid(traversal_node_valid), .node_ready(tree_cache_node_ready),
+        .clk(clk), .rst(rst), .node_valid(traversal_node_valid), .node_ready(tree_cache_node_ready),
         .node_thread(traversal_node_thread), .node_node(traversal_node_node),
         .leaf_valid(traversal_leaf_valid), .leaf_ready(tree_cache_leaf_ready),
         .leaf_thread(traversal_leaf_thread), .leaf_leaf(traversal_leaf_leaf),
@@ -372,8 +362,7 @@ module search_top (
     );
 
     search_point_cache point_cache (
-        .clk(clk), .rst(rst),
-        .fetch_valid(tree_cache_fetch_valid), .fetch_ready(point_cache_fetch_ready),
+        .clk(clk), .rst(rst), .fetch_valid(tree_cache_fetch_valid), .fetch_ready(point_cache_fetch_ready),
         .fetch_thread(tree_cache_fetch_thread), .fetch_address(tree_cache_fetch_address),
         .fetch_beats(tree_cache_fetch_beats),
         .miss_valid(point_cache_miss_valid), .miss_ready(fetch_ready), .miss_thread(point_cache_miss_thread),
@@ -397,8 +386,7 @@ endmodule
 // slots = 64
 // slot_beats = 4
 module search_point_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire fetch_valid,  // Leaves wanted.
     output wire fetch_ready,
     input  wire [3:0] fetch_thread,  // Thread.
@@ -450,24 +438,35 @@ module search_point_cache (
     reg [5:0] fill_slot_before;
     reg [2:0] fill_count;
     reg fill_kept_before, l_valid;
-    reg [3:0] l_thread;
-    reg [21:0] l_address;
-    reg [2:0] l_beats;
-    reg [5:0] l_slot;
+    reg [3:0] l_thread;  // Thread.
+    reg [21:0] l_address;  // First beat.
+    reg [2:0] l_beats;  // Number of beats, at least one.
+    reg [5:0] l_slot;  // The slot.
     reg run_valid;
-    reg [3:0] run_thread;
-    reg [21:0] run_address;
-    reg [2:0] run_beats;
-    reg [5:0] run_slot;
+    reg [3:0] run_thread;  // Thread.
+    reg [21:0] run_address;  // First beat.
+    reg [2:0] run_beats;  // Number of beats, at least one.
+    reg [5:0] run_slot;  // The slot.
     reg [63:0] present;
     wire [21:0] tag;
     reg [2:0] run_count;
     wire [383:0] read;
     reg r_valid, r_read;
-    reg [3:0] r_thread;
-    reg [21:0] r_address;
-    reg r_last;
-    reg [31:0] r_x0, r_y0, r_z0, r_x1, r_y1, r_z1, r_x2, r_y2, r_z2, r_x3, r_y3, r_z3;
+    reg [3:0] r_thread;  // Thread.
+    reg [21:0] r_address;  // Address in the point memory.
+    reg r_last;  // Closes its leaf.
+    reg [31:0] r_x0;  // A point a lane; NaN where there is none.
+    reg [31:0] r_y0;  // A point a lane; NaN where there is none.
+    reg [31:0] r_z0;  // A point a lane; NaN where there is none.
+    reg [31:0] r_x1;  // A point a lane; NaN where there is none.
+    reg [31:0] r_y1;  // A point a lane; NaN where there is none.
+    reg [31:0] r_z1;  // A point a lane; NaN where there is none.
+    reg [31:0] r_x2;  // A point a lane; NaN where there is none.
+    reg [31:0] r_y2;  // A point a lane; NaN where there is none.
+    reg [31:0] r_z2;  // A point a lane; NaN where there is none.
+    reg [31:0] r_x3;  // A point a lane; NaN where there is none.
+    reg [31:0] r_y3;  // A point a lane; NaN where there is none.
+    reg [31:0] r_z3;  // A point a lane; NaN where there is none.
 
     wire fetch_queue_in_ready, fetch_queue_out_valid;
     wire [34:0] fetch_queue_out_data;
@@ -484,121 +483,159 @@ module search_point_cache (
     wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
     wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
     wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
-    wire term_1 = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
-    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | term_1);
+    wire may_keep_both = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
+    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | may_keep_both);
     wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
     wire store = fill_taken & fill_kept;
     wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
     wire run_step = advance_r & runs;
-    wire term_2 = store & ~fill_under_way;
+    wire store_and_not_fill_under_way = store & ~fill_under_way;
     wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
-    wire [63:0] shifted_3 = present >> l_slot;
-    wire hit = shifted_3[0] & (tag == l_address);
+    wire [63:0] present_shifted_by_l_slot = present >> l_slot;
+    wire hit = present_shifted_by_l_slot[0] & (tag == l_address);
     wire hits = l_valid & (hit & ~run_valid);
     wire misses = l_valid & (~hit & miss_queue_in_ready);
     wire advance_l = ~l_valid | (hits | misses);
-    wire [5:0] term_4 = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12];
-    wire [5:0] term_5 = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12];
+    wire [5:0] fetch_queue_in_data_unequal = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12] ^ {2'd0, fetch_address[21:18]};
+    wire [5:0] fill_queue_in_data_unequal = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12] ^ {2'd0, fill_address[21:18]};
     wire fill_queue_out_last = fill_queue_out_data[390];
     wire [3:0] fetch_queue_out_thread = fetch_queue_out_data[34:31];
     wire [21:0] fetch_queue_out_address = fetch_queue_out_data[30:9];
     wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
-    wire [2:0] sum_6 = run_count + 3'd1;
-    wire run_last = sum_6 == run_beats;
-    wire term_7 = fill_slot == 6'd63;
-    wire term_8 = fill_slot == 6'd62;
-    wire term_9 = fill_slot == 6'd61;
-    wire term_10 = fill_slot == 6'd60;
-    wire term_11 = fill_slot == 6'd59;
-    wire term_12 = fill_slot == 6'd58;
-    wire term_13 = fill_slot == 6'd57;
-    wire term_14 = fill_slot == 6'd56;
-    wire term_15 = fill_slot == 6'd55;
-    wire term_16 = fill_slot == 6'd54;
-    wire term_17 = fill_slot == 6'd53;
-    wire term_18 = fill_slot == 6'd52;
-    wire term_19 = fill_slot == 6'd51;
-    wire term_20 = fill_slot == 6'd50;
-    wire term_21 = fill_slot == 6'd49;
-    wire term_22 = fill_slot == 6'd48;
-    wire term_23 = fill_slot == 6'd47;
-    wire term_24 = fill_slot == 6'd46;
-    wire term_25 = fill_slot == 6'd45;
-    wire term_26 = fill_slot == 6'd44;
-    wire term_27 = fill_slot == 6'd43;
-    wire term_28 = fill_slot == 6'd42;
-    wire term_29 = fill_slot == 6'd41;
-    wire term_30 = fill_slot == 6'd40;
-    wire term_31 = fill_slot == 6'd39;
-    wire term_32 = fill_slot == 6'd38;
-    wire term_33 = fill_slot == 6'd37;
-    wire term_34 = fill_slot == 6'd36;
-    wire term_35 = fill_slot == 6'd35;
-    wire term_36 = fill_slot == 6'd34;
-    wire term_37 = fill_slot == 6'd33;
-    wire term_38 = fill_slot == 6'd32;
-    wire term_39 = fill_slot == 6'd31;
-    wire term_40 = fill_slot == 6'd30;
-    wire term_41 = fill_slot == 6'd29;
-    wire term_42 = fill_slot == 6'd28;
-    wire term_43 = fill_slot == 6'd27;
-    wire term_44 = fill_slot == 6'd26;
-    wire term_45 = fill_slot == 6'd25;
-    wire term_46 = fill_slot == 6'd24;
-    wire term_47 = fill_slot == 6'd23;
-    wire term_48 = fill_slot == 6'd22;
-    wire term_49 = fill_slot == 6'd21;
-    wire term_50 = fill_slot == 6'd20;
-    wire term_51 = fill_slot == 6'd19;
-    wire term_52 = fill_slot == 6'd18;
-    wire term_53 = fill_slot == 6'd17;
-    wire term_54 = fill_slot == 6'd16;
-    wire term_55 = fill_slot == 6'd15;
-    wire term_56 = fill_slot == 6'd14;
-    wire term_57 = fill_slot == 6'd13;
-    wire term_58 = fill_slot == 6'd12;
-    wire term_59 = fill_slot == 6'd11;
-    wire term_60 = fill_slot == 6'd10;
-    wire term_61 = fill_slot == 6'd9;
-    wire term_62 = fill_slot == 6'd8;
-    wire term_63 = fill_slot == 6'd7;
-    wire term_64 = fill_slot == 6'd6;
-    wire term_65 = fill_slot == 6'd5;
-    wire term_66 = fill_slot == 6'd4;
-    wire term_67 = fill_slot == 6'd3;
-    wire term_68 = fill_slot == 6'd2;
-    wire term_69 = fill_slot == 6'd1;
-    wire term_70 = fill_slot == 6'd0;
-    wire [63:0] joined_71 = {
-        term_2 & term_7, term_2 & term_8, term_2 & term_9, term_2 & term_10, term_2 & term_11,
-        term_2 & term_12, term_2 & term_13, term_2 & term_14, term_2 & term_15, term_2 & term_16,
-        term_2 & term_17, term_2 & term_18, term_2 & term_19, term_2 & term_20, term_2 & term_21,
-        term_2 & term_22, term_2 & term_23, term_2 & term_24, term_2 & term_25, term_2 & term_26,
-        term_2 & term_27, term_2 & term_28, term_2 & term_29, term_2 & term_30, term_2 & term_31,
-        term_2 & term_32, term_2 & term_33, term_2 & term_34, term_2 & term_35, term_2 & term_36,
-        term_2 & term_37, term_2 & term_38, term_2 & term_39, term_2 & term_40, term_2 & term_41,
-        term_2 & term_42, term_2 & term_43, term_2 & term_44, term_2 & term_45, term_2 & term_46,
-        term_2 & term_47, term_2 & term_48, term_2 & term_49, term_2 & term_50, term_2 & term_51,
-        term_2 & term_52, term_2 & term_53, term_2 & term_54, term_2 & term_55, term_2 & term_56,
-        term_2 & term_57, term_2 & term_58, term_2 & term_59, term_2 & term_60, term_2 & term_61,
-        term_2 & term_62, term_2 & term_63, term_2 & term_64, term_2 & term_65, term_2 & term_66,
-        term_2 & term_67, term_2 & term_68, term_2 & term_69, term_2 & term_70
+    wire [2:0] run_count_plus_1 = run_count + 3'd1;
+    wire run_last = run_count_plus_1 == run_beats;
+    wire fill_slot_is_63 = fill_slot == 6'd63;
+    wire fill_slot_is_62 = fill_slot == 6'd62;
+    wire fill_slot_is_61 = fill_slot == 6'd61;
+    wire fill_slot_is_60 = fill_slot == 6'd60;
+    wire fill_slot_is_59 = fill_slot == 6'd59;
+    wire fill_slot_is_58 = fill_slot == 6'd58;
+    wire fill_slot_is_57 = fill_slot == 6'd57;
+    wire fill_slot_is_56 = fill_slot == 6'd56;
+    wire fill_slot_is_55 = fill_slot == 6'd55;
+    wire fill_slot_is_54 = fill_slot == 6'd54;
+    wire fill_slot_is_53 = fill_slot == 6'd53;
+    wire fill_slot_is_52 = fill_slot == 6'd52;
+    wire fill_slot_is_51 = fill_slot == 6'd51;
+    wire fill_slot_is_50 = fill_slot == 6'd50;
+    wire fill_slot_is_49 = fill_slot == 6'd49;
+    wire fill_slot_is_48 = fill_slot == 6'd48;
+    wire fill_slot_is_47 = fill_slot == 6'd47;
+    wire fill_slot_is_46 = fill_slot == 6'd46;
+    wire fill_slot_is_45 = fill_slot == 6'd45;
+    wire fill_slot_is_44 = fill_slot == 6'd44;
+    wire fill_slot_is_43 = fill_slot == 6'd43;
+    wire fill_slot_is_42 = fill_slot == 6'd42;
+    wire fill_slot_is_41 = fill_slot == 6'd41;
+    wire fill_slot_is_40 = fill_slot == 6'd40;
+    wire fill_slot_is_39 = fill_slot == 6'd39;
+    wire fill_slot_is_38 = fill_slot == 6'd38;
+    wire fill_slot_is_37 = fill_slot == 6'd37;
+    wire fill_slot_is_36 = fill_slot == 6'd36;
+    wire fill_slot_is_35 = fill_slot == 6'd35;
+    wire fill_slot_is_34 = fill_slot == 6'd34;
+    wire fill_slot_is_33 = fill_slot == 6'd33;
+    wire fill_slot_is_32 = fill_slot == 6'd32;
+    wire fill_slot_is_31 = fill_slot == 6'd31;
+    wire fill_slot_is_30 = fill_slot == 6'd30;
+    wire fill_slot_is_29 = fill_slot == 6'd29;
+    wire fill_slot_is_28 = fill_slot == 6'd28;
+    wire fill_slot_is_27 = fill_slot == 6'd27;
+    wire fill_slot_is_26 = fill_slot == 6'd26;
+    wire fill_slot_is_25 = fill_slot == 6'd25;
+    wire fill_slot_is_24 = fill_slot == 6'd24;
+    wire fill_slot_is_23 = fill_slot == 6'd23;
+    wire fill_slot_is_22 = fill_slot == 6'd22;
+    wire fill_slot_is_21 = fill_slot == 6'd21;
+    wire fill_slot_is_20 = fill_slot == 6'd20;
+    wire fill_slot_is_19 = fill_slot == 6'd19;
+    wire fill_slot_is_18 = fill_slot == 6'd18;
+    wire fill_slot_is_17 = fill_slot == 6'd17;
+    wire fill_slot_is_16 = fill_slot == 6'd16;
+    wire fill_slot_is_15 = fill_slot == 6'd15;
+    wire fill_slot_is_14 = fill_slot == 6'd14;
+    wire fill_slot_is_13 = fill_slot == 6'd13;
+    wire fill_slot_is_12 = fill_slot == 6'd12;
+    wire fill_slot_is_11 = fill_slot == 6'd11;
+    wire fill_slot_is_10 = fill_slot == 6'd10;
+    wire fill_slot_is_9 = fill_slot == 6'd9;
+    wire fill_slot_is_8 = fill_slot == 6'd8;
+    wire fill_slot_is_7 = fill_slot == 6'd7;
+    wire fill_slot_is_6 = fill_slot == 6'd6;
+    wire fill_slot_is_5 = fill_slot == 6'd5;
+    wire fill_slot_is_4 = fill_slot == 6'd4;
+    wire fill_slot_is_3 = fill_slot == 6'd3;
+    wire fill_slot_is_2 = fill_slot == 6'd2;
+    wire fill_slot_is_1 = fill_slot == 6'd1;
+    wire fill_slot_is_0 = fill_slot == 6'd0;
+    wire [63:0] present_bits = {
+        store_and_not_fill_under_way & fill_slot_is_63, store_and_not_fill_under_way & fill_slot_is_62,
+        store_and_not_fill_under_way & fill_slot_is_61, store_and_not_fill_under_way & fill_slot_is_60,
+        store_and_not_fill_under_way & fill_slot_is_59, store_and_not_fill_under_way & fill_slot_is_58,
+        store_and_not_fill_under_way & fill_slot_is_57, store_and_not_fill_under_way & fill_slot_is_56,
+        store_and_not_fill_under_way & fill_slot_is_55, store_and_not_fill_under_way & fill_slot_is_54,
+        store_and_not_fill_under_way & fill_slot_is_53, store_and_not_fill_under_way & fill_slot_is_52,
+        store_and_not_fill_under_way & fill_slot_is_51, store_and_not_fill_under_way & fill_slot_is_50,
+        store_and_not_fill_under_way & fill_slot_is_49, store_and_not_fill_under_way & fill_slot_is_48,
+        store_and_not_fill_under_way & fill_slot_is_47, store_and_not_fill_under_way & fill_slot_is_46,
+        store_and_not_fill_under_way & fill_slot_is_45, store_and_not_fill_under_way & fill_slot_is_44,
+        store_and_not_fill_under_way & fill_slot_is_43, store_and_not_fill_under_way & fill_slot_is_42,
+        store_and_not_fill_under_way & fill_slot_is_41, store_and_not_fill_under_way & fill_slot_is_40,
+        store_and_not_fill_under_way & fill_slot_is_39, store_and_not_fill_under_way & fill_slot_is_38,
+        store_and_not_fill_under_way & fill_slot_is_37, store_and_not_fill_under_way & fill_slot_is_36,
+        store_and_not_fill_under_way & fill_slot_is_35, store_and_not_fill_under_way & fill_slot_is_34,
+        store_and_not_fill_under_way & fill_slot_is_33, store_and_not_fill_under_way & fill_slot_is_32,
+        store_and_not_fill_under_way & fill_slot_is_31, store_and_not_fill_under_way & fill_slot_is_30,
+        store_and_not_fill_under_way & fill_slot_is_29, store_and_not_fill_under_way & fill_slot_is_28,
+        store_and_not_fill_under_way & fill_slot_is_27, store_and_not_fill_under_way & fill_slot_is_26,
+        store_and_not_fill_under_way & fill_slot_is_25, store_and_not_fill_under_way & fill_slot_is_24,
+        store_and_not_fill_under_way & fill_slot_is_23, store_and_not_fill_under_way & fill_slot_is_22,
+        store_and_not_fill_under_way & fill_slot_is_21, store_and_not_fill_under_way & fill_slot_is_20,
+        store_and_not_fill_under_way & fill_slot_is_19, store_and_not_fill_under_way & fill_slot_is_18,
+        store_and_not_fill_under_way & fill_slot_is_17, store_and_not_fill_under_way & fill_slot_is_16,
+        store_and_not_fill_under_way & fill_slot_is_15, store_and_not_fill_under_way & fill_slot_is_14,
+        store_and_not_fill_under_way & fill_slot_is_13, store_and_not_fill_under_way & fill_slot_is_12,
+        store_and_not_fill_under_way & fill_slot_is_11, store_and_not_fill_under_way & fill_slot_is_10,
+        store_and_not_fill_under_way & fill_slot_is_9, store_and_not_fill_under_way & fill_slot_is_8,
+        store_and_not_fill_under_way & fill_slot_is_7, store_and_not_fill_under_way & fill_slot_is_6,
+        store_and_not_fill_under_way & fill_slot_is_5, store_and_not_fill_under_way & fill_slot_is_4,
+        store_and_not_fill_under_way & fill_slot_is_3, store_and_not_fill_under_way & fill_slot_is_2,
+        store_and_not_fill_under_way & fill_slot_is_1, store_and_not_fill_under_way & fill_slot_is_0
     };
-    wire term_72 = store & fill_queue_out_last;
-    wire [63:0] joined_73 = {
-        term_72 & term_7, term_72 & term_8, term_72 & term_9, term_72 & term_10, term_72 & term_11,
-        term_72 & term_12, term_72 & term_13, term_72 & term_14, term_72 & term_15, term_72 & term_16,
-        term_72 & term_17, term_72 & term_18, term_72 & term_19, term_72 & term_20, term_72 & term_21,
-        term_72 & term_22, term_72 & term_23, term_72 & term_24, term_72 & term_25, term_72 & term_26,
-        term_72 & term_27, term_72 & term_28, term_72 & term_29, term_72 & term_30, term_72 & term_31,
-        term_72 & term_32, term_72 & term_33, term_72 & term_34, term_72 & term_35, term_72 & term_36,
-        term_72 & term_37, term_72 & term_38, term_72 & term_39, term_72 & term_40, term_72 & term_41,
-        term_72 & term_42, term_72 & term_43, term_72 & term_44, term_72 & term_45, term_72 & term_46,
-        term_72 & term_47, term_72 & term_48, term_72 & term_49, term_72 & term_50, term_72 & term_51,
-        term_72 & term_52, term_72 & term_53, term_72 & term_54, term_72 & term_55, term_72 & term_56,
-        term_72 & term_57, term_72 & term_58, term_72 & term_59, term_72 & term_60, term_72 & term_61,
-        term_72 & term_62, term_72 & term_63, term_72 & term_64, term_72 & term_65, term_72 & term_66,
-        term_72 & term_67, term_72 & term_68, term_72 & term_69, term_72 & term_70
+    wire store_and_fill_queue_out_last = store & fill_queue_out_last;
+    wire [63:0] present_bits_2 = {
+        store_and_fill_queue_out_last & fill_slot_is_63, store_and_fill_queue_out_last & fill_slot_is_62,
+        store_and_fill_queue_out_last & fill_slot_is_61, store_and_fill_queue_out_last & fill_slot_is_60,
+        store_and_fill_queue_out_last & fill_slot_is_59, store_and_fill_queue_out_last & fill_slot_is_58,
+        store_and_fill_queue_out_last & fill_slot_is_57, store_and_fill_queue_out_last & fill_slot_is_56,
+        store_and_fill_queue_out_last & fill_slot_is_55, store_and_fill_queue_out_last & fill_slot_is_54,
+        store_and_fill_queue_out_last & fill_slot_is_53, store_and_fill_queue_out_last & fill_slot_is_52,
+        store_and_fill_queue_out_last & fill_slot_is_51, store_and_fill_queue_out_last & fill_slot_is_50,
+        store_and_fill_queue_out_last & fill_slot_is_49, store_and_fill_queue_out_last & fill_slot_is_48,
+        store_and_fill_queue_out_last & fill_slot_is_47, store_and_fill_queue_out_last & fill_slot_is_46,
+        store_and_fill_queue_out_last & fill_slot_is_45, store_and_fill_queue_out_last & fill_slot_is_44,
+        store_and_fill_queue_out_last & fill_slot_is_43, store_and_fill_queue_out_last & fill_slot_is_42,
+        store_and_fill_queue_out_last & fill_slot_is_41, store_and_fill_queue_out_last & fill_slot_is_40,
+        store_and_fill_queue_out_last & fill_slot_is_39, store_and_fill_queue_out_last & fill_slot_is_38,
+        store_and_fill_queue_out_last & fill_slot_is_37, store_and_fill_queue_out_last & fill_slot_is_36,
+        store_and_fill_queue_out_last & fill_slot_is_35, store_and_fill_queue_out_last & fill_slot_is_34,
+        store_and_fill_queue_out_last & fill_slot_is_33, store_and_fill_queue_out_last & fill_slot_is_32,
+        store_and_fill_queue_out_last & fill_slot_is_31, store_and_fill_queue_out_last & fill_slot_is_30,
+        store_and_fill_queue_out_last & fill_slot_is_29, store_and_fill_queue_out_last & fill_slot_is_28,
+        store_and_fill_queue_out_last & fill_slot_is_27, store_and_fill_queue_out_last & fill_slot_is_26,
+        store_and_fill_queue_out_last & fill_slot_is_25, store_and_fill_queue_out_last & fill_slot_is_24,
+        store_and_fill_queue_out_last & fill_slot_is_23, store_and_fill_queue_out_last & fill_slot_is_22,
+        store_and_fill_queue_out_last & fill_slot_is_21, store_and_fill_queue_out_last & fill_slot_is_20,
+        store_and_fill_queue_out_last & fill_slot_is_19, store_and_fill_queue_out_last & fill_slot_is_18,
+        store_and_fill_queue_out_last & fill_slot_is_17, store_and_fill_queue_out_last & fill_slot_is_16,
+        store_and_fill_queue_out_last & fill_slot_is_15, store_and_fill_queue_out_last & fill_slot_is_14,
+        store_and_fill_queue_out_last & fill_slot_is_13, store_and_fill_queue_out_last & fill_slot_is_12,
+        store_and_fill_queue_out_last & fill_slot_is_11, store_and_fill_queue_out_last & fill_slot_is_10,
+        store_and_fill_queue_out_last & fill_slot_is_9, store_and_fill_queue_out_last & fill_slot_is_8,
+        store_and_fill_queue_out_last & fill_slot_is_7, store_and_fill_queue_out_last & fill_slot_is_6,
+        store_and_fill_queue_out_last & fill_slot_is_5, store_and_fill_queue_out_last & fill_slot_is_4,
+        store_and_fill_queue_out_last & fill_slot_is_3, store_and_fill_queue_out_last & fill_slot_is_2,
+        store_and_fill_queue_out_last & fill_slot_is_1, store_and_fill_queue_out_last & fill_slot_is_0
     };
     wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
     wire [31:0] fill_queue_out_x0 = fill_queue_out_data[389:358];
@@ -625,33 +662,31 @@ module search_point_cache (
     assign fill_ready = fill_queue_in_ready;
 
     memory_1w1r_unordered #(.WIDTH(384), .DEPTH(256)) points (
-        .clk(clk),
-        .write(store), .write_address({fill_slot, fill_count[1:0]}), .write_data(fill_queue_out_data[389:6]),
+        .clk(clk), .write(store), .write_address({fill_slot, fill_count[1:0]}),
+        .write_data(fill_queue_out_data[389:6]),
         .read(run_step), .read_address({run_slot, run_count[1:0]}), .read_data(read)
     );
 
     memory_1w1r #(.WIDTH(22), .DEPTH(64)) tags (
-        .clk(clk),
-        .write(term_2), .write_address(fill_slot), .write_data(fill_queue_out_address),
+        .clk(clk), .write(store_and_not_fill_under_way), .write_address(fill_slot),
+        .write_data(fill_queue_out_address),
         .read(advance_l), .read_address(fetch_queue_out_slot), .read_data(tag)
     );
 
     stream_skid_w35 fetch_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(fetch_valid), .in_ready(fetch_queue_in_ready),
-        .in_data({fetch_thread, fetch_address, fetch_beats, term_4 ^ {2'd0, fetch_address[21:18]}}),
+        .clk(clk), .rst(rst), .in_valid(fetch_valid), .in_ready(fetch_queue_in_ready),
+        .in_data({fetch_thread, fetch_address, fetch_beats, fetch_queue_in_data_unequal}),
         .out_valid(fetch_queue_out_valid), .out_ready(advance_l), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w29 miss_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(misses), .in_ready(miss_queue_in_ready), .in_data({l_thread, l_address, l_beats}),
+        .clk(clk), .rst(rst), .in_valid(misses), .in_ready(miss_queue_in_ready),
+        .in_data({l_thread, l_address, l_beats}),
         .out_valid(miss_queue_out_valid), .out_ready(miss_ready), .out_data(miss_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(r_valid & advance_r), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(r_valid & advance_r), .in_ready(beat_queue_in_ready),
         .in_data({
             r_thread, r_address, r_last, r_read ? read[383:352] : r_x0, r_read ? read[351:320] : r_y0,
             r_read ? read[319:288] : r_z0, r_read ? read[287:256] : r_x1, r_read ? read[255:224] : r_y1,
@@ -663,11 +698,10 @@ module search_point_cache (
     );
 
     stream_skid_w417 fill_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
         .in_data({
             fill_thread, fill_address, fill_last, fill_x0, fill_y0, fill_z0, fill_x1, fill_y1, fill_z1, fill_x2,
-            fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, term_5 ^ {2'd0, fill_address[21:18]}
+            fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, fill_queue_in_data_unequal
         }),
         .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
     );
@@ -690,10 +724,10 @@ module search_point_cache (
             end
             if (advance_l) l_valid <= fetch_queue_out_valid;
             run_valid <= hits | (run_valid & ~(run_step & run_last));
-            present <= (present & ~joined_71) | joined_73;
+            present <= (present & ~present_bits) | present_bits_2;
             event_point_hit <= hits;
             event_point_miss <= misses;
-            if (run_step) run_count <= run_last ? 3'd0 : sum_6;
+            if (run_step) run_count <= run_last ? 3'd0 : run_count_plus_1;
             if (advance_r) r_valid <= runs | fill_queue_out_valid;
         end
     end
@@ -732,39 +766,31 @@ module search_point_cache (
         end
     end
 
-    wire _unused = &{1'b0, shifted_3[63:1]};
+    wire _unused = &{1'b0, present_shifted_by_l_slot[63:1]};
 
 `ifdef RTL_ASSERT
-    wire [63:0] shifted_74 = present >> run_slot;
+    wire [63:0] present_shifted_by_run_slot = present >> run_slot;
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~run_valid | shifted_74[0])) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                what_is_read_is_there: assert (0);
+        what_is_read_is_there: assert (~run_valid | present_shifted_by_run_slot[0]);
 `else
-                $display("assertion failed: what_is_read_is_there in %m");
-                $stop;
-`endif
-            end
+        if (!(~run_valid | present_shifted_by_run_slot[0])) begin
+            $display("assertion failed: what_is_read_is_there in %m"); $stop;
         end
+`endif
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_74[63:1]};
+    wire _unused_by_checks = &{1'b0, present_shifted_by_run_slot[63:1]};
 `endif
 endmodule
 
 // Queue of two in registers.
 // width = 417
 module stream_skid_w417 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [416:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [416:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [416:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [416:0] out_data
 );
     reg second_valid;
     reg [416:0] head, second;
@@ -790,17 +816,14 @@ module stream_skid_w417 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -808,14 +831,9 @@ endmodule
 // Queue of two in registers.
 // width = 35
 module stream_skid_w35 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [34:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [34:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [34:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [34:0] out_data
 );
     reg second_valid;
     reg [34:0] head, second;
@@ -841,17 +859,14 @@ module stream_skid_w35 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -860,8 +875,7 @@ endmodule
 // lines = 512
 // threads = 16
 module search_tree_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire node_valid,  // Nodes that the traversal has come to.
     output wire node_ready,
     input  wire [3:0] node_thread,  // Thread.
@@ -900,15 +914,15 @@ module search_tree_cache (
 );
     reg [9:0] cleared_lines;
     reg b_valid, c_valid;
-    reg [3:0] b_thread;
-    reg [20:0] b_address;
-    reg [3:0] c_thread;
-    reg [20:0] c_address;
+    reg [3:0] b_thread;  // Thread.
+    reg [20:0] b_address;  // The node, or `2^tree_depth + l` for leaf `l` of the deepest level.
+    reg [3:0] c_thread;  // Thread.
+    reg [20:0] c_address;  // The node, or `2^tree_depth + l` for leaf `l` of the deepest level.
     reg b_is_leaf, c_is_leaf;
     wire [47:0] b_line;
-    reg line_valid;
-    reg [11:0] line_tag;
-    reg [34:0] line_word;
+    reg line_valid;  // It holds a record.
+    reg [11:0] line_tag;  // What tells its record from others of the line.
+    reg [34:0] line_word;  // What a node or a leaf holds.
 
     wire node_queue_in_ready, node_queue_out_valid;
     wire [24:0] node_queue_out_data;
@@ -925,30 +939,30 @@ module search_tree_cache (
 
     wire cleared = cleared_lines[9];
     wire [20:0] fill_queue_out_address = fill_queue_out_data[80:60];
-    wire choice_1 = fill_queue_out_address[20] ? fetch_queue_in_ready : record_queue_in_ready;
-    wire fill_queue_out_ready = cleared & choice_1;
+    wire fill_queue_out_ready_choice = fill_queue_out_address[20] ? fetch_queue_in_ready : record_queue_in_ready;
+    wire fill_queue_out_ready = cleared & fill_queue_out_ready_choice;
     wire fills = fill_queue_out_valid & fill_queue_out_ready;
-    wire [34:0] choice_2 = fill_queue_out_address[20] ? {10'd0, fill_queue_out_data[24:0]} : fill_queue_out_data[59:25];
+    wire [34:0] lines_data_choice = fill_queue_out_address[20] ? {10'd0, fill_queue_out_data[24:0]} : fill_queue_out_data[59:25];
     wire deepest = c_address[20] & ~c_is_leaf;
     wire hit = deepest | (line_valid & (line_tag == c_address[20:9]));
     wire fills_fetch = fills & fill_queue_out_address[20];
     wire fills_record = fills & ~fill_queue_out_address[20];
-    wire choice_3 = c_is_leaf ? (fetch_queue_in_ready & ~fills_fetch) : (record_queue_in_ready & ~fills_record);
-    wire hits = c_valid & (hit & choice_3);
+    wire hits_choice = c_is_leaf ? (fetch_queue_in_ready & ~fills_fetch) : (record_queue_in_ready & ~fills_record);
+    wire hits = c_valid & (hit & hits_choice);
     wire misses = c_valid & (~hit & lookup_queue_in_ready);
     wire advance = ~c_valid | (hits | misses);
     wire [19:0] leaf_queue_out_leaf = leaf_queue_out_data[19:0];
     wire [20:0] node_queue_out_node = node_queue_out_data[20:0];
-    wire [20:0] choice_4 = leaf_queue_out_valid ? {1'd1, leaf_queue_out_leaf} : node_queue_out_node;
+    wire [20:0] b_address_choice = leaf_queue_out_valid ? {1'd1, leaf_queue_out_leaf} : node_queue_out_node;
     wire node_queue_out_ready = advance & (cleared & ~leaf_queue_out_valid);
     wire leaf_queue_out_ready = advance & cleared;
     wire [3:0] fill_queue_out_thread = fill_queue_out_data[84:81];
     wire [31:0] fill_queue_out_split = fill_queue_out_data[59:28];
-    wire [31:0] choice_5 = fills_record ? fill_queue_out_split : deepest ? 32'd0 : line_word[34:3];
+    wire [31:0] record_queue_in_data_choice = fills_record ? fill_queue_out_split : deepest ? 32'd0 : line_word[34:3];
     wire [1:0] fill_queue_out_dimension = fill_queue_out_data[27:26];
-    wire [1:0] choice_6 = fills_record ? fill_queue_out_dimension : deepest ? 2'd0 : line_word[2:1];
+    wire [1:0] record_queue_in_data_choice_2 = fills_record ? fill_queue_out_dimension : deepest ? 2'd0 : line_word[2:1];
     wire fill_queue_out_internal_leaf = fill_queue_out_data[25];
-    wire choice_7 = fills_record ? fill_queue_out_internal_leaf : deepest ? 1'd0 : line_word[0];
+    wire record_queue_in_data_choice_3 = fills_record ? fill_queue_out_internal_leaf : deepest ? 1'd0 : line_word[0];
     wire [21:0] fill_queue_out_begin = fill_queue_out_data[24:3];
     wire [2:0] fill_queue_out_beats = fill_queue_out_data[2:0];
     wire [3:0] leaf_queue_out_thread = leaf_queue_out_data[23:20];
@@ -965,37 +979,35 @@ module search_tree_cache (
     assign fill_ready = fill_queue_in_ready;
 
     memory_1w1r #(.WIDTH(48), .DEPTH(512)) lines (
-        .clk(clk),
-        .write(fills | ~cleared), .write_address(cleared ? fill_queue_out_address[8:0] : cleared_lines[8:0]),
-        .write_data({cleared, cleared ? fill_queue_out_address[20:9] : 12'd0, cleared ? choice_2 : 35'd0}),
-        .read(advance), .read_address(choice_4[8:0]), .read_data(b_line)
+        .clk(clk), .write(fills | ~cleared),
+        .write_address(cleared ? fill_queue_out_address[8:0] : cleared_lines[8:0]),
+        .write_data({cleared, cleared ? fill_queue_out_address[20:9] : 12'd0, cleared ? lines_data_choice : 35'd0}),
+        .read(advance), .read_address(b_address_choice[8:0]), .read_data(b_line)
     );
 
     stream_fifo_d16_w25 node_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(node_valid), .in_ready(node_queue_in_ready), .in_data({node_thread, node_node}),
+        .clk(clk), .rst(rst), .in_valid(node_valid), .in_ready(node_queue_in_ready),
+        .in_data({node_thread, node_node}),
         .out_valid(node_queue_out_valid), .out_ready(node_queue_out_ready), .out_data(node_queue_out_data)
     );
 
     stream_fifo_d32_w24 leaf_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready), .in_data({leaf_thread, leaf_leaf}),
+        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready),
+        .in_data({leaf_thread, leaf_leaf}),
         .out_valid(leaf_queue_out_valid), .out_ready(leaf_queue_out_ready), .out_data(leaf_queue_out_data)
     );
 
     stream_skid_w60 record_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(fills_record | (hits & ~c_is_leaf)), .in_ready(record_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fills_record | (hits & ~c_is_leaf)), .in_ready(record_queue_in_ready),
         .in_data({
             fills_record ? fill_queue_out_thread : c_thread, fills_record ? fill_queue_out_address : c_address,
-            choice_5, choice_6, choice_7
+            record_queue_in_data_choice, record_queue_in_data_choice_2, record_queue_in_data_choice_3
         }),
         .out_valid(record_queue_out_valid), .out_ready(record_ready), .out_data(record_queue_out_data)
     );
 
     stream_skid_w29 fetch_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(fills_fetch | (hits & c_is_leaf)), .in_ready(fetch_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fills_fetch | (hits & c_is_leaf)), .in_ready(fetch_queue_in_ready),
         .in_data({
             fills_fetch ? fill_queue_out_thread : c_thread, fills_fetch ? fill_queue_out_begin : line_word[24:3],
             fills_fetch ? fill_queue_out_beats : line_word[2:0]
@@ -1004,14 +1016,13 @@ module search_tree_cache (
     );
 
     stream_skid_w25 lookup_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(misses), .in_ready(lookup_queue_in_ready), .in_data({c_thread, c_address}),
+        .clk(clk), .rst(rst), .in_valid(misses), .in_ready(lookup_queue_in_ready),
+        .in_data({c_thread, c_address}),
         .out_valid(lookup_queue_out_valid), .out_ready(lookup_ready), .out_data(lookup_queue_out_data)
     );
 
     stream_skid_w85 fill_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
         .in_data({fill_thread, fill_address, fill_split, fill_dimension, fill_internal_leaf, fill_begin, fill_beats}),
         .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
     );
@@ -1036,7 +1047,7 @@ module search_tree_cache (
     always @(posedge clk) begin
         if (advance) begin
             b_thread <= leaf_queue_out_valid ? leaf_queue_out_thread : node_queue_out_thread;
-            b_address <= choice_4;
+            b_address <= b_address_choice;
             c_thread <= b_thread;
             c_address <= b_address;
             b_is_leaf <= leaf_queue_out_valid;
@@ -1051,14 +1062,9 @@ endmodule
 // Queue of two in registers.
 // width = 85
 module stream_skid_w85 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [84:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [84:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [84:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [84:0] out_data
 );
     reg second_valid;
     reg [84:0] head, second;
@@ -1084,17 +1090,14 @@ module stream_skid_w85 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1102,14 +1105,9 @@ endmodule
 // Queue of two in registers.
 // width = 29
 module stream_skid_w29 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [28:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [28:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
 );
     reg second_valid;
     reg [28:0] head, second;
@@ -1135,17 +1133,14 @@ module stream_skid_w29 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1154,14 +1149,9 @@ endmodule
 // depth = 32
 // width = 24
 module stream_fifo_d32_w24 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [23:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [23:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
 );
     reg [5:0] held, waiting;
     reg [4:0] write_address, read_address;
@@ -1176,8 +1166,7 @@ module stream_fifo_d32_w24 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(24), .DEPTH(32)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1198,25 +1187,16 @@ module stream_fifo_d32_w24 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 6'd32)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 6'd32);
+        held_is_waiting_and_shown: assert (held == (waiting + {5'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {5'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 6'd32)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {5'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1225,14 +1205,9 @@ endmodule
 // depth = 16
 // width = 25
 module stream_fifo_d16_w25 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [24:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [24:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [24:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [24:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -1247,8 +1222,7 @@ module stream_fifo_d16_w25 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(25), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -1269,25 +1243,16 @@ module stream_fifo_d16_w25 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -1297,8 +1262,7 @@ endmodule
 // neighbors = 32
 // lanes = 4
 module search_queue (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [3:0] start_thread,  // Thread.
     input  wire [23:0] start_number,  // Its number, which its results bear.
@@ -1347,15 +1311,20 @@ module search_queue (
     reg [1823:0] working;
     reg [15:0] fresh;
     reg beat_valid, beat_reads;
-    reg [3:0] beat_pending, beat_thread;
-    reg [21:0] beat_address;
-    reg beat_last;
-    reg [31:0] beat_distance0, beat_distance1, beat_distance2, beat_distance3;
+    reg [3:0] beat_pending;
+    reg [3:0] beat_thread;  // Thread.
+    reg [21:0] beat_address;  // Address in the point memory.
+    reg beat_last;  // Closes its leaf.
+    reg [31:0] beat_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] beat_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] beat_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] beat_distance3;  // A squared distance a lane; NaN where there is no point.
     reg item_valid, item_reads, item_inserts, item_last;
     reg [3:0] item_thread;
     reg item_fresh;
-    reg [23:0] new_index;
-    reg [31:0] new_distance2, nearer;
+    reg [23:0] new_index;  // The point's place in the point memory.
+    reg [31:0] new_distance2;  // Its squared distance.
+    reg [31:0] nearer;
     reg new_last;
     reg [3:0] new_thread;
     reg [31:0] farthest;
@@ -1365,8 +1334,8 @@ module search_queue (
     reg fetch_from_working, fetch_from_nothing;
     wire [1823:0] stored;
     wire [93:0] query;
-    reg [23:0] item_index;
-    reg [31:0] item_distance2;
+    reg [23:0] item_index;  // The point's place in the point memory.
+    reg [31:0] item_distance2;  // Its squared distance.
     reg [15:0] from_leaf;
     reg [1823:0] sent_row;
     reg [23:0] sent_number;
@@ -1377,173 +1346,181 @@ module search_queue (
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
     wire [5:0] next_position = position + 6'd1;
-    wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
-    wire choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
-    wire choice_3 = next_position[1] ? (next_position[0] ? sent_row[1367] : sent_row[1310]) : next_position[0] ? sent_row[1253] : sent_row[1196];
-    wire choice_4 = next_position[1] ? (next_position[0] ? sent_row[1139] : sent_row[1082]) : next_position[0] ? sent_row[1025] : sent_row[968];
-    wire choice_5 = next_position[3] ? (next_position[2] ? choice_1 : choice_2) : next_position[2] ? choice_3 : choice_4;
-    wire choice_6 = next_position[1] ? (next_position[0] ? sent_row[911] : sent_row[854]) : next_position[0] ? sent_row[797] : sent_row[740];
-    wire choice_7 = next_position[1] ? (next_position[0] ? sent_row[683] : sent_row[626]) : next_position[0] ? sent_row[569] : sent_row[512];
-    wire choice_8 = next_position[1] ? (next_position[0] ? sent_row[455] : sent_row[398]) : next_position[0] ? sent_row[341] : sent_row[284];
-    wire choice_9 = next_position[1] ? (next_position[0] ? sent_row[227] : sent_row[170]) : next_position[0] ? sent_row[113] : sent_row[56];
-    wire choice_10 = next_position[3] ? (next_position[2] ? choice_6 : choice_7) : next_position[2] ? choice_8 : choice_9;
-    wire last_result = (position == 6'd31) | ~(next_position[4] ? choice_5 : choice_10);
-    wire choice_11 = position[1] ? (position[0] ? sent_row[1823] : sent_row[1766]) : position[0] ? sent_row[1709] : sent_row[1652];
-    wire choice_12 = position[1] ? (position[0] ? sent_row[1595] : sent_row[1538]) : position[0] ? sent_row[1481] : sent_row[1424];
-    wire choice_13 = position[1] ? (position[0] ? sent_row[1367] : sent_row[1310]) : position[0] ? sent_row[1253] : sent_row[1196];
-    wire choice_14 = position[1] ? (position[0] ? sent_row[1139] : sent_row[1082]) : position[0] ? sent_row[1025] : sent_row[968];
-    wire choice_15 = position[3] ? (position[2] ? choice_11 : choice_12) : position[2] ? choice_13 : choice_14;
-    wire choice_16 = position[1] ? (position[0] ? sent_row[911] : sent_row[854]) : position[0] ? sent_row[797] : sent_row[740];
-    wire choice_17 = position[1] ? (position[0] ? sent_row[683] : sent_row[626]) : position[0] ? sent_row[569] : sent_row[512];
-    wire choice_18 = position[1] ? (position[0] ? sent_row[455] : sent_row[398]) : position[0] ? sent_row[341] : sent_row[284];
-    wire choice_19 = position[1] ? (position[0] ? sent_row[227] : sent_row[170]) : position[0] ? sent_row[113] : sent_row[56];
-    wire choice_20 = position[3] ? (position[2] ? choice_16 : choice_17) : position[2] ? choice_18 : choice_19;
-    wire [23:0] choice_21 = position[1] ? (position[0] ? sent_row[1822:1799] : sent_row[1765:1742]) : position[0] ? sent_row[1708:1685] : sent_row[1651:1628];
-    wire [23:0] choice_22 = position[1] ? (position[0] ? sent_row[1594:1571] : sent_row[1537:1514]) : position[0] ? sent_row[1480:1457] : sent_row[1423:1400];
-    wire [23:0] choice_23 = position[1] ? (position[0] ? sent_row[1366:1343] : sent_row[1309:1286]) : position[0] ? sent_row[1252:1229] : sent_row[1195:1172];
-    wire [23:0] choice_24 = position[1] ? (position[0] ? sent_row[1138:1115] : sent_row[1081:1058]) : position[0] ? sent_row[1024:1001] : sent_row[967:944];
-    wire [23:0] choice_25 = position[3] ? (position[2] ? choice_21 : choice_22) : position[2] ? choice_23 : choice_24;
-    wire [23:0] choice_26 = position[1] ? (position[0] ? sent_row[910:887] : sent_row[853:830]) : position[0] ? sent_row[796:773] : sent_row[739:716];
-    wire [23:0] choice_27 = position[1] ? (position[0] ? sent_row[682:659] : sent_row[625:602]) : position[0] ? sent_row[568:545] : sent_row[511:488];
-    wire [23:0] choice_28 = position[1] ? (position[0] ? sent_row[454:431] : sent_row[397:374]) : position[0] ? sent_row[340:317] : sent_row[283:260];
-    wire [23:0] choice_29 = position[1] ? (position[0] ? sent_row[226:203] : sent_row[169:146]) : position[0] ? sent_row[112:89] : sent_row[55:32];
-    wire [23:0] choice_30 = position[3] ? (position[2] ? choice_26 : choice_27) : position[2] ? choice_28 : choice_29;
-    wire [31:0] choice_31 = position[1] ? (position[0] ? sent_row[1798:1767] : sent_row[1741:1710]) : position[0] ? sent_row[1684:1653] : sent_row[1627:1596];
-    wire [31:0] choice_32 = position[1] ? (position[0] ? sent_row[1570:1539] : sent_row[1513:1482]) : position[0] ? sent_row[1456:1425] : sent_row[1399:1368];
-    wire [31:0] choice_33 = position[1] ? (position[0] ? sent_row[1342:1311] : sent_row[1285:1254]) : position[0] ? sent_row[1228:1197] : sent_row[1171:1140];
-    wire [31:0] choice_34 = position[1] ? (position[0] ? sent_row[1114:1083] : sent_row[1057:1026]) : position[0] ? sent_row[1000:969] : sent_row[943:912];
-    wire [31:0] choice_35 = position[3] ? (position[2] ? choice_31 : choice_32) : position[2] ? choice_33 : choice_34;
-    wire [31:0] choice_36 = position[1] ? (position[0] ? sent_row[886:855] : sent_row[829:798]) : position[0] ? sent_row[772:741] : sent_row[715:684];
-    wire [31:0] choice_37 = position[1] ? (position[0] ? sent_row[658:627] : sent_row[601:570]) : position[0] ? sent_row[544:513] : sent_row[487:456];
-    wire [31:0] choice_38 = position[1] ? (position[0] ? sent_row[430:399] : sent_row[373:342]) : position[0] ? sent_row[316:285] : sent_row[259:228];
-    wire [31:0] choice_39 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
-    wire [31:0] choice_40 = position[3] ? (position[2] ? choice_36 : choice_37) : position[2] ? choice_38 : choice_39;
+    wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
+    wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
+    wire last_result_choice_3 = next_position[1] ? (next_position[0] ? sent_row[1367] : sent_row[1310]) : next_position[0] ? sent_row[1253] : sent_row[1196];
+    wire last_result_choice_4 = next_position[1] ? (next_position[0] ? sent_row[1139] : sent_row[1082]) : next_position[0] ? sent_row[1025] : sent_row[968];
+    wire last_result_choice_5 = next_position[3] ? (next_position[2] ? last_result_choice : last_result_choice_2) : next_position[2] ? last_result_choice_3 : last_result_choice_4;
+    wire last_result_choice_6 = next_position[1] ? (next_position[0] ? sent_row[911] : sent_row[854]) : next_position[0] ? sent_row[797] : sent_row[740];
+    wire last_result_choice_7 = next_position[1] ? (next_position[0] ? sent_row[683] : sent_row[626]) : next_position[0] ? sent_row[569] : sent_row[512];
+    wire last_result_choice_8 = next_position[1] ? (next_position[0] ? sent_row[455] : sent_row[398]) : next_position[0] ? sent_row[341] : sent_row[284];
+    wire last_result_choice_9 = next_position[1] ? (next_position[0] ? sent_row[227] : sent_row[170]) : next_position[0] ? sent_row[113] : sent_row[56];
+    wire last_result_choice_10 = next_position[3] ? (next_position[2] ? last_result_choice_6 : last_result_choice_7) : next_position[2] ? last_result_choice_8 : last_result_choice_9;
+    wire last_result_inverted = ~(next_position[4] ? last_result_choice_5 : last_result_choice_10);
+    wire last_result = (position == 6'd31) | last_result_inverted;
+    wire result_found_choice = position[1] ? (position[0] ? sent_row[1823] : sent_row[1766]) : position[0] ? sent_row[1709] : sent_row[1652];
+    wire result_found_choice_2 = position[1] ? (position[0] ? sent_row[1595] : sent_row[1538]) : position[0] ? sent_row[1481] : sent_row[1424];
+    wire result_found_choice_3 = position[1] ? (position[0] ? sent_row[1367] : sent_row[1310]) : position[0] ? sent_row[1253] : sent_row[1196];
+    wire result_found_choice_4 = position[1] ? (position[0] ? sent_row[1139] : sent_row[1082]) : position[0] ? sent_row[1025] : sent_row[968];
+    wire result_found_choice_5 = position[3] ? (position[2] ? result_found_choice : result_found_choice_2) : position[2] ? result_found_choice_3 : result_found_choice_4;
+    wire result_found_choice_6 = position[1] ? (position[0] ? sent_row[911] : sent_row[854]) : position[0] ? sent_row[797] : sent_row[740];
+    wire result_found_choice_7 = position[1] ? (position[0] ? sent_row[683] : sent_row[626]) : position[0] ? sent_row[569] : sent_row[512];
+    wire result_found_choice_8 = position[1] ? (position[0] ? sent_row[455] : sent_row[398]) : position[0] ? sent_row[341] : sent_row[284];
+    wire result_found_choice_9 = position[1] ? (position[0] ? sent_row[227] : sent_row[170]) : position[0] ? sent_row[113] : sent_row[56];
+    wire result_found_choice_10 = position[3] ? (position[2] ? result_found_choice_6 : result_found_choice_7) : position[2] ? result_found_choice_8 : result_found_choice_9;
+    wire [23:0] result_index_choice = position[1] ? (position[0] ? sent_row[1822:1799] : sent_row[1765:1742]) : position[0] ? sent_row[1708:1685] : sent_row[1651:1628];
+    wire [23:0] result_index_choice_2 = position[1] ? (position[0] ? sent_row[1594:1571] : sent_row[1537:1514]) : position[0] ? sent_row[1480:1457] : sent_row[1423:1400];
+    wire [23:0] result_index_choice_3 = position[1] ? (position[0] ? sent_row[1366:1343] : sent_row[1309:1286]) : position[0] ? sent_row[1252:1229] : sent_row[1195:1172];
+    wire [23:0] result_index_choice_4 = position[1] ? (position[0] ? sent_row[1138:1115] : sent_row[1081:1058]) : position[0] ? sent_row[1024:1001] : sent_row[967:944];
+    wire [23:0] result_index_choice_5 = position[3] ? (position[2] ? result_index_choice : result_index_choice_2) : position[2] ? result_index_choice_3 : result_index_choice_4;
+    wire [23:0] result_index_choice_6 = position[1] ? (position[0] ? sent_row[910:887] : sent_row[853:830]) : position[0] ? sent_row[796:773] : sent_row[739:716];
+    wire [23:0] result_index_choice_7 = position[1] ? (position[0] ? sent_row[682:659] : sent_row[625:602]) : position[0] ? sent_row[568:545] : sent_row[511:488];
+    wire [23:0] result_index_choice_8 = position[1] ? (position[0] ? sent_row[454:431] : sent_row[397:374]) : position[0] ? sent_row[340:317] : sent_row[283:260];
+    wire [23:0] result_index_choice_9 = position[1] ? (position[0] ? sent_row[226:203] : sent_row[169:146]) : position[0] ? sent_row[112:89] : sent_row[55:32];
+    wire [23:0] result_index_choice_10 = position[3] ? (position[2] ? result_index_choice_6 : result_index_choice_7) : position[2] ? result_index_choice_8 : result_index_choice_9;
+    wire [31:0] result_distance2_choice = position[1] ? (position[0] ? sent_row[1798:1767] : sent_row[1741:1710]) : position[0] ? sent_row[1684:1653] : sent_row[1627:1596];
+    wire [31:0] result_distance2_choice_2 = position[1] ? (position[0] ? sent_row[1570:1539] : sent_row[1513:1482]) : position[0] ? sent_row[1456:1425] : sent_row[1399:1368];
+    wire [31:0] result_distance2_choice_3 = position[2] ? result_distance2_choice : result_distance2_choice_2;
+    wire [31:0] result_distance2_choice_4 = position[1] ? (position[0] ? sent_row[1342:1311] : sent_row[1285:1254]) : position[0] ? sent_row[1228:1197] : sent_row[1171:1140];
+    wire [31:0] result_distance2_choice_5 = position[1] ? (position[0] ? sent_row[1114:1083] : sent_row[1057:1026]) : position[0] ? sent_row[1000:969] : sent_row[943:912];
+    wire [31:0] result_distance2_choice_6 = position[2] ? result_distance2_choice_4 : result_distance2_choice_5;
+    wire [31:0] result_distance2_choice_7 = position[3] ? result_distance2_choice_3 : result_distance2_choice_6;
+    wire [31:0] result_distance2_choice_8 = position[1] ? (position[0] ? sent_row[886:855] : sent_row[829:798]) : position[0] ? sent_row[772:741] : sent_row[715:684];
+    wire [31:0] result_distance2_choice_9 = position[1] ? (position[0] ? sent_row[658:627] : sent_row[601:570]) : position[0] ? sent_row[544:513] : sent_row[487:456];
+    wire [31:0] result_distance2_choice_10 = position[2] ? result_distance2_choice_8 : result_distance2_choice_9;
+    wire [31:0] result_distance2_choice_11 = position[1] ? (position[0] ? sent_row[430:399] : sent_row[373:342]) : position[0] ? sent_row[316:285] : sent_row[259:228];
+    wire [31:0] result_distance2_choice_12 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
+    wire [31:0] result_distance2_choice_13 = position[2] ? result_distance2_choice_11 : result_distance2_choice_12;
+    wire [31:0] result_distance2_choice_14 = position[3] ? result_distance2_choice_10 : result_distance2_choice_13;
     wire write_back = item_reads & owned;
-    wire choice_41 = nearer[31] ? (nearer[30] ? working[1766] : 1'd1) : working[1823];
-    wire [23:0] choice_42 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_43 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_44 = nearer[30] ? (nearer[29] ? working[1709] : 1'd1) : working[1766];
-    wire [23:0] choice_45 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_46 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_47 = nearer[29] ? (nearer[28] ? working[1652] : 1'd1) : working[1709];
-    wire [23:0] choice_48 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_49 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_50 = nearer[28] ? (nearer[27] ? working[1595] : 1'd1) : working[1652];
-    wire [23:0] choice_51 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_52 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_53 = nearer[27] ? (nearer[26] ? working[1538] : 1'd1) : working[1595];
-    wire [23:0] choice_54 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_55 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_56 = nearer[26] ? (nearer[25] ? working[1481] : 1'd1) : working[1538];
-    wire [23:0] choice_57 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_58 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_59 = nearer[25] ? (nearer[24] ? working[1424] : 1'd1) : working[1481];
-    wire [23:0] choice_60 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_61 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_62 = nearer[24] ? (nearer[23] ? working[1367] : 1'd1) : working[1424];
-    wire [23:0] choice_63 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_64 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_65 = nearer[23] ? (nearer[22] ? working[1310] : 1'd1) : working[1367];
-    wire [23:0] choice_66 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_67 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_68 = nearer[22] ? (nearer[21] ? working[1253] : 1'd1) : working[1310];
-    wire [23:0] choice_69 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_70 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_71 = nearer[21] ? (nearer[20] ? working[1196] : 1'd1) : working[1253];
-    wire [23:0] choice_72 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_73 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_74 = nearer[20] ? (nearer[19] ? working[1139] : 1'd1) : working[1196];
-    wire [23:0] choice_75 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_76 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_77 = nearer[19] ? (nearer[18] ? working[1082] : 1'd1) : working[1139];
-    wire [23:0] choice_78 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_79 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_80 = nearer[18] ? (nearer[17] ? working[1025] : 1'd1) : working[1082];
-    wire [23:0] choice_81 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_82 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_83 = nearer[17] ? (nearer[16] ? working[968] : 1'd1) : working[1025];
-    wire [23:0] choice_84 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_85 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_86 = nearer[16] ? (nearer[15] ? working[911] : 1'd1) : working[968];
-    wire [23:0] choice_87 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_88 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_89 = nearer[15] ? (nearer[14] ? working[854] : 1'd1) : working[911];
-    wire [23:0] choice_90 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_91 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_92 = nearer[14] ? (nearer[13] ? working[797] : 1'd1) : working[854];
-    wire [23:0] choice_93 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_94 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_95 = nearer[13] ? (nearer[12] ? working[740] : 1'd1) : working[797];
-    wire [23:0] choice_96 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_97 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_98 = nearer[12] ? (nearer[11] ? working[683] : 1'd1) : working[740];
-    wire [23:0] choice_99 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_100 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_101 = nearer[11] ? (nearer[10] ? working[626] : 1'd1) : working[683];
-    wire [23:0] choice_102 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_103 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_104 = nearer[10] ? (nearer[9] ? working[569] : 1'd1) : working[626];
-    wire [23:0] choice_105 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_106 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_107 = nearer[9] ? (nearer[8] ? working[512] : 1'd1) : working[569];
-    wire [23:0] choice_108 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_109 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_110 = nearer[8] ? (nearer[7] ? working[455] : 1'd1) : working[512];
-    wire [23:0] choice_111 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_112 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_113 = nearer[7] ? (nearer[6] ? working[398] : 1'd1) : working[455];
-    wire [23:0] choice_114 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_115 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_116 = nearer[6] ? (nearer[5] ? working[341] : 1'd1) : working[398];
-    wire [23:0] choice_117 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_118 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_119 = nearer[5] ? (nearer[4] ? working[284] : 1'd1) : working[341];
-    wire [23:0] choice_120 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_121 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_122 = nearer[4] ? (nearer[3] ? working[227] : 1'd1) : working[284];
-    wire [23:0] choice_123 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_124 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_125 = nearer[3] ? (nearer[2] ? working[170] : 1'd1) : working[227];
-    wire [23:0] choice_126 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_127 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_128 = nearer[2] ? (nearer[1] ? working[113] : 1'd1) : working[170];
-    wire [23:0] choice_129 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_130 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_131 = nearer[1] ? (nearer[0] ? working[56] : 1'd1) : working[113];
-    wire [23:0] choice_132 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_133 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire [23:0] inserted_row_choice = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] radius_radius2_choice = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire [23:0] inserted_row_choice_2 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] inserted_row_choice_3 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire [23:0] inserted_row_choice_4 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] inserted_row_choice_5 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire [23:0] inserted_row_choice_6 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] inserted_row_choice_7 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire [23:0] inserted_row_choice_8 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] inserted_row_choice_9 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire [23:0] inserted_row_choice_10 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] inserted_row_choice_11 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire [23:0] inserted_row_choice_12 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] inserted_row_choice_13 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire [23:0] inserted_row_choice_14 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] inserted_row_choice_15 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire [23:0] inserted_row_choice_16 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] inserted_row_choice_17 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire [23:0] inserted_row_choice_18 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] inserted_row_choice_19 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire [23:0] inserted_row_choice_20 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] inserted_row_choice_21 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire [23:0] inserted_row_choice_22 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] inserted_row_choice_23 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire [23:0] inserted_row_choice_24 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] inserted_row_choice_25 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire [23:0] inserted_row_choice_26 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] inserted_row_choice_27 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire [23:0] inserted_row_choice_28 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] inserted_row_choice_29 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire [23:0] inserted_row_choice_30 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] inserted_row_choice_31 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire [23:0] inserted_row_choice_32 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] inserted_row_choice_33 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire [23:0] inserted_row_choice_34 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] inserted_row_choice_35 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire [23:0] inserted_row_choice_36 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] inserted_row_choice_37 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire [23:0] inserted_row_choice_38 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] inserted_row_choice_39 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire [23:0] inserted_row_choice_40 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] inserted_row_choice_41 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire [23:0] inserted_row_choice_42 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] inserted_row_choice_43 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire [23:0] inserted_row_choice_44 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] inserted_row_choice_45 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire [23:0] inserted_row_choice_46 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] inserted_row_choice_47 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire [23:0] inserted_row_choice_48 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] inserted_row_choice_49 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire [23:0] inserted_row_choice_50 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] inserted_row_choice_51 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire [23:0] inserted_row_choice_52 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] inserted_row_choice_53 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire [23:0] inserted_row_choice_54 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] inserted_row_choice_55 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire [23:0] inserted_row_choice_56 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] inserted_row_choice_57 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire [23:0] inserted_row_choice_58 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] inserted_row_choice_59 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire [23:0] inserted_row_choice_60 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] inserted_row_choice_61 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
     wire [1823:0] inserted_row = {
-        choice_41, choice_42, choice_43, choice_44, choice_45, choice_46, choice_47, choice_48, choice_49,
-        choice_50, choice_51, choice_52, choice_53, choice_54, choice_55, choice_56, choice_57, choice_58,
-        choice_59, choice_60, choice_61, choice_62, choice_63, choice_64, choice_65, choice_66, choice_67,
-        choice_68, choice_69, choice_70, choice_71, choice_72, choice_73, choice_74, choice_75, choice_76,
-        choice_77, choice_78, choice_79, choice_80, choice_81, choice_82, choice_83, choice_84, choice_85,
-        choice_86, choice_87, choice_88, choice_89, choice_90, choice_91, choice_92, choice_93, choice_94,
-        choice_95, choice_96, choice_97, choice_98, choice_99, choice_100, choice_101, choice_102, choice_103,
-        choice_104, choice_105, choice_106, choice_107, choice_108, choice_109, choice_110, choice_111,
-        choice_112, choice_113, choice_114, choice_115, choice_116, choice_117, choice_118, choice_119,
-        choice_120, choice_121, choice_122, choice_123, choice_124, choice_125, choice_126, choice_127,
-        choice_128, choice_129, choice_130, choice_131, choice_132, choice_133,
-        nearer[0] ? 1'd1 : working[56], nearer[0] ? new_index : working[55:32],
+        nearer[31] ? (nearer[30] ? working[1766] : 1'd1) : working[1823], inserted_row_choice,
+        radius_radius2_choice, nearer[30] ? (nearer[29] ? working[1709] : 1'd1) : working[1766],
+        inserted_row_choice_2, inserted_row_choice_3,
+        nearer[29] ? (nearer[28] ? working[1652] : 1'd1) : working[1709], inserted_row_choice_4,
+        inserted_row_choice_5, nearer[28] ? (nearer[27] ? working[1595] : 1'd1) : working[1652],
+        inserted_row_choice_6, inserted_row_choice_7,
+        nearer[27] ? (nearer[26] ? working[1538] : 1'd1) : working[1595], inserted_row_choice_8,
+        inserted_row_choice_9, nearer[26] ? (nearer[25] ? working[1481] : 1'd1) : working[1538],
+        inserted_row_choice_10, inserted_row_choice_11,
+        nearer[25] ? (nearer[24] ? working[1424] : 1'd1) : working[1481], inserted_row_choice_12,
+        inserted_row_choice_13, nearer[24] ? (nearer[23] ? working[1367] : 1'd1) : working[1424],
+        inserted_row_choice_14, inserted_row_choice_15,
+        nearer[23] ? (nearer[22] ? working[1310] : 1'd1) : working[1367], inserted_row_choice_16,
+        inserted_row_choice_17, nearer[22] ? (nearer[21] ? working[1253] : 1'd1) : working[1310],
+        inserted_row_choice_18, inserted_row_choice_19,
+        nearer[21] ? (nearer[20] ? working[1196] : 1'd1) : working[1253], inserted_row_choice_20,
+        inserted_row_choice_21, nearer[20] ? (nearer[19] ? working[1139] : 1'd1) : working[1196],
+        inserted_row_choice_22, inserted_row_choice_23,
+        nearer[19] ? (nearer[18] ? working[1082] : 1'd1) : working[1139], inserted_row_choice_24,
+        inserted_row_choice_25, nearer[18] ? (nearer[17] ? working[1025] : 1'd1) : working[1082],
+        inserted_row_choice_26, inserted_row_choice_27,
+        nearer[17] ? (nearer[16] ? working[968] : 1'd1) : working[1025], inserted_row_choice_28,
+        inserted_row_choice_29, nearer[16] ? (nearer[15] ? working[911] : 1'd1) : working[968],
+        inserted_row_choice_30, inserted_row_choice_31,
+        nearer[15] ? (nearer[14] ? working[854] : 1'd1) : working[911], inserted_row_choice_32,
+        inserted_row_choice_33, nearer[14] ? (nearer[13] ? working[797] : 1'd1) : working[854],
+        inserted_row_choice_34, inserted_row_choice_35,
+        nearer[13] ? (nearer[12] ? working[740] : 1'd1) : working[797], inserted_row_choice_36,
+        inserted_row_choice_37, nearer[12] ? (nearer[11] ? working[683] : 1'd1) : working[740],
+        inserted_row_choice_38, inserted_row_choice_39,
+        nearer[11] ? (nearer[10] ? working[626] : 1'd1) : working[683], inserted_row_choice_40,
+        inserted_row_choice_41, nearer[10] ? (nearer[9] ? working[569] : 1'd1) : working[626],
+        inserted_row_choice_42, inserted_row_choice_43,
+        nearer[9] ? (nearer[8] ? working[512] : 1'd1) : working[569], inserted_row_choice_44,
+        inserted_row_choice_45, nearer[8] ? (nearer[7] ? working[455] : 1'd1) : working[512],
+        inserted_row_choice_46, inserted_row_choice_47,
+        nearer[7] ? (nearer[6] ? working[398] : 1'd1) : working[455], inserted_row_choice_48,
+        inserted_row_choice_49, nearer[6] ? (nearer[5] ? working[341] : 1'd1) : working[398],
+        inserted_row_choice_50, inserted_row_choice_51,
+        nearer[5] ? (nearer[4] ? working[284] : 1'd1) : working[341], inserted_row_choice_52,
+        inserted_row_choice_53, nearer[4] ? (nearer[3] ? working[227] : 1'd1) : working[284],
+        inserted_row_choice_54, inserted_row_choice_55,
+        nearer[3] ? (nearer[2] ? working[170] : 1'd1) : working[227], inserted_row_choice_56,
+        inserted_row_choice_57, nearer[2] ? (nearer[1] ? working[113] : 1'd1) : working[170],
+        inserted_row_choice_58, inserted_row_choice_59,
+        nearer[1] ? (nearer[0] ? working[56] : 1'd1) : working[113], inserted_row_choice_60,
+        inserted_row_choice_61, nearer[0] ? 1'd1 : working[56], nearer[0] ? new_index : working[55:32],
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
     wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire term_134 = candidates_valid & candidates_ready;
+    wire arrivals_write_address_enable_both = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire term_135 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
-    wire stays = beat_valid & (term_135 | (beat_pending[3] & |beat_pending[2:0]));
+    wire stays_either = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
+    wire stays = beat_valid & (stays_either | (beat_pending[3] & |beat_pending[2:0]));
     wire done = moves & ~stays;
     wire beat_free = ~beat_valid | done;
     wire [3:0] tail = item_valid ? item_thread : owner;
     wire [186:0] arrivals_head = arrivals[arrivals_read_address];
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
     wire follows_beat = beat_thread == arrivals_head[186:183];
-    wire term_136 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = |arrivals_count & term_136;
+    wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
     wire [1823:0] initial_row = {
         25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
         query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
@@ -1563,7 +1540,7 @@ module search_queue (
         query[1] ? 32'd0 : query[63:32], 25'd0, query[0] ? 32'd0 : query[63:32]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] joined_137 = {
+    wire [15:0] fresh_bits = {
         reads & (beat_thread == 4'd15), reads & (beat_thread == 4'd14), reads & (beat_thread == 4'd13),
         reads & (beat_thread == 4'd12), reads & (beat_thread == 4'd11), reads & (beat_thread == 4'd10),
         reads & (beat_thread == 4'd9), reads & (beat_thread == 4'd8), reads & (beat_thread == 4'd7),
@@ -1581,32 +1558,27 @@ module search_queue (
         start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
         start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] shifted_138 = fresh >> arrivals_head[186:183];
-    wire is_fresh = shifted_138[0];
-    wire choice_139 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [15:0] is_fresh_shifted = fresh >> arrivals_head[186:183];
+    wire is_fresh = is_fresh_shifted[0];
+    wire farthest_will_be_known_choice = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire term_140 = (farthest_thread == arrivals_head[186:183]) & ~choice_139;
-    wire farthest_will_be_known = farthest_is_current & term_140;
-    wire term_141 = ~farthest_will_be_known | (arrivals_head[63:32] < farthest);
-    wire term_142 = ~farthest_will_be_known | (arrivals_head[95:64] < farthest);
-    wire term_143 = ~farthest_will_be_known | (arrivals_head[127:96] < farthest);
-    wire term_144 = ~farthest_will_be_known | (arrivals_head[159:128] < farthest);
-    wire term_145 = (arrivals_head[159:128] < arrivals_head[31:0]) & term_144;
-    wire [3:0] joined_146 = {
-        (arrivals_head[63:32] < arrivals_head[31:0]) & term_141,
-        (arrivals_head[95:64] < arrivals_head[31:0]) & term_142,
-        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143, term_145
-    };
+    wire farthest_will_be_known_both = (farthest_thread == arrivals_head[186:183]) & ~farthest_will_be_known_choice;
+    wire farthest_will_be_known = farthest_is_current & farthest_will_be_known_both;
+    wire beat_pending_both = (arrivals_head[63:32] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[63:32] < farthest));
+    wire beat_pending_both_2 = (arrivals_head[95:64] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[95:64] < farthest));
+    wire beat_pending_both_3 = (arrivals_head[127:96] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[127:96] < farthest));
+    wire beat_pending_both_4 = (arrivals_head[159:128] < arrivals_head[31:0]) & (~farthest_will_be_known | (arrivals_head[159:128] < farthest));
+    wire [3:0] beat_pending_bits = {beat_pending_both, beat_pending_both_2, beat_pending_both_3, beat_pending_both_4};
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire [3:0] joined_147 = {
+    wire [3:0] left_bits = {
         ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
         ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
-    wire [3:0] left = waits ? beat_pending : (rest & joined_147);
-    wire [15:0] shifted_148 = fresh >> beat_thread;
-    wire [31:0] joined_149 = {
+    wire [3:0] left = waits ? beat_pending : (rest & left_bits);
+    wire [15:0] fresh_shifted_by_beat_thread = fresh >> beat_thread;
+    wire [31:0] nearer_entries_bits = {
         item_distance2 < stored[1798:1767], item_distance2 < stored[1741:1710],
         item_distance2 < stored[1684:1653], item_distance2 < stored[1627:1596],
         item_distance2 < stored[1570:1539], item_distance2 < stored[1513:1482],
@@ -1621,79 +1593,115 @@ module search_queue (
         item_distance2 < stored[316:285], item_distance2 < stored[259:228], item_distance2 < stored[202:171],
         item_distance2 < stored[145:114], item_distance2 < stored[88:57], item_distance2 < stored[31:0]
     };
-    wire term_150 = item_distance2 < working[1741:1710];
-    wire term_151 = item_distance2 < new_distance2;
-    wire choice_152 = nearer[31] ? (nearer[30] ? term_150 : term_151) : (item_distance2 < working[1798:1767]);
-    wire term_153 = item_distance2 < working[1684:1653];
-    wire choice_154 = nearer[30] ? (nearer[29] ? term_153 : term_151) : term_150;
-    wire term_155 = item_distance2 < working[1627:1596];
-    wire choice_156 = nearer[29] ? (nearer[28] ? term_155 : term_151) : term_153;
-    wire term_157 = item_distance2 < working[1570:1539];
-    wire choice_158 = nearer[28] ? (nearer[27] ? term_157 : term_151) : term_155;
-    wire term_159 = item_distance2 < working[1513:1482];
-    wire choice_160 = nearer[27] ? (nearer[26] ? term_159 : term_151) : term_157;
-    wire term_161 = item_distance2 < working[1456:1425];
-    wire choice_162 = nearer[26] ? (nearer[25] ? term_161 : term_151) : term_159;
-    wire term_163 = item_distance2 < working[1399:1368];
-    wire choice_164 = nearer[25] ? (nearer[24] ? term_163 : term_151) : term_161;
-    wire term_165 = item_distance2 < working[1342:1311];
-    wire choice_166 = nearer[24] ? (nearer[23] ? term_165 : term_151) : term_163;
-    wire term_167 = item_distance2 < working[1285:1254];
-    wire choice_168 = nearer[23] ? (nearer[22] ? term_167 : term_151) : term_165;
-    wire term_169 = item_distance2 < working[1228:1197];
-    wire choice_170 = nearer[22] ? (nearer[21] ? term_169 : term_151) : term_167;
-    wire term_171 = item_distance2 < working[1171:1140];
-    wire choice_172 = nearer[21] ? (nearer[20] ? term_171 : term_151) : term_169;
-    wire term_173 = item_distance2 < working[1114:1083];
-    wire choice_174 = nearer[20] ? (nearer[19] ? term_173 : term_151) : term_171;
-    wire term_175 = item_distance2 < working[1057:1026];
-    wire choice_176 = nearer[19] ? (nearer[18] ? term_175 : term_151) : term_173;
-    wire term_177 = item_distance2 < working[1000:969];
-    wire choice_178 = nearer[18] ? (nearer[17] ? term_177 : term_151) : term_175;
-    wire term_179 = item_distance2 < working[943:912];
-    wire choice_180 = nearer[17] ? (nearer[16] ? term_179 : term_151) : term_177;
-    wire term_181 = item_distance2 < working[886:855];
-    wire choice_182 = nearer[16] ? (nearer[15] ? term_181 : term_151) : term_179;
-    wire term_183 = item_distance2 < working[829:798];
-    wire choice_184 = nearer[15] ? (nearer[14] ? term_183 : term_151) : term_181;
-    wire term_185 = item_distance2 < working[772:741];
-    wire choice_186 = nearer[14] ? (nearer[13] ? term_185 : term_151) : term_183;
-    wire term_187 = item_distance2 < working[715:684];
-    wire choice_188 = nearer[13] ? (nearer[12] ? term_187 : term_151) : term_185;
-    wire term_189 = item_distance2 < working[658:627];
-    wire choice_190 = nearer[12] ? (nearer[11] ? term_189 : term_151) : term_187;
-    wire term_191 = item_distance2 < working[601:570];
-    wire choice_192 = nearer[11] ? (nearer[10] ? term_191 : term_151) : term_189;
-    wire term_193 = item_distance2 < working[544:513];
-    wire choice_194 = nearer[10] ? (nearer[9] ? term_193 : term_151) : term_191;
-    wire term_195 = item_distance2 < working[487:456];
-    wire term_196 = item_distance2 < working[430:399];
-    wire term_197 = item_distance2 < working[373:342];
-    wire term_198 = item_distance2 < working[316:285];
-    wire term_199 = item_distance2 < working[259:228];
-    wire term_200 = item_distance2 < working[202:171];
-    wire term_201 = item_distance2 < working[145:114];
-    wire term_202 = item_distance2 < working[88:57];
-    wire term_203 = item_distance2 < working[31:0];
-    wire [31:0] joined_204 = {
-        choice_152, choice_154, choice_156, choice_158, choice_160, choice_162, choice_164, choice_166,
-        choice_168, choice_170, choice_172, choice_174, choice_176, choice_178, choice_180, choice_182,
-        choice_184, choice_186, choice_188, choice_190, choice_192, choice_194,
-        nearer[9] ? (nearer[8] ? term_195 : term_151) : term_193,
-        nearer[8] ? (nearer[7] ? term_196 : term_151) : term_195,
-        nearer[7] ? (nearer[6] ? term_197 : term_151) : term_196,
-        nearer[6] ? (nearer[5] ? term_198 : term_151) : term_197,
-        nearer[5] ? (nearer[4] ? term_199 : term_151) : term_198,
-        nearer[4] ? (nearer[3] ? term_200 : term_151) : term_199,
-        nearer[3] ? (nearer[2] ? term_201 : term_151) : term_200,
-        nearer[2] ? (nearer[1] ? term_202 : term_151) : term_201,
-        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202, nearer[0] ? term_151 : term_203
+    wire nearer_entries_in_order = item_distance2 < working[1741:1710];
+    wire nearer_entries_in_order_2 = item_distance2 < new_distance2;
+    wire nearer_entries_choice = nearer[31] ? (nearer[30] ? nearer_entries_in_order : nearer_entries_in_order_2) : (item_distance2 < working[1798:1767]);
+    wire nearer_entries_in_order_3 = item_distance2 < working[1684:1653];
+    wire nearer_entries_choice_2 = nearer[29] ? nearer_entries_in_order_3 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_4 = item_distance2 < working[1627:1596];
+    wire nearer_entries_choice_3 = nearer[28] ? nearer_entries_in_order_4 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_5 = item_distance2 < working[1570:1539];
+    wire nearer_entries_choice_4 = nearer[27] ? nearer_entries_in_order_5 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_6 = item_distance2 < working[1513:1482];
+    wire nearer_entries_choice_5 = nearer[26] ? nearer_entries_in_order_6 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_7 = item_distance2 < working[1456:1425];
+    wire nearer_entries_choice_6 = nearer[25] ? nearer_entries_in_order_7 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_8 = item_distance2 < working[1399:1368];
+    wire nearer_entries_choice_7 = nearer[24] ? nearer_entries_in_order_8 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_9 = item_distance2 < working[1342:1311];
+    wire nearer_entries_choice_8 = nearer[23] ? nearer_entries_in_order_9 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_10 = item_distance2 < working[1285:1254];
+    wire nearer_entries_choice_9 = nearer[22] ? nearer_entries_in_order_10 : nearer_entries_in_order_2;
+    wire nearer_entries_in_order_11 = item_distance2 < working[1228:1197];
+    wire nearer_entries_choice_10 = nearer[21] ? nearer_entries_in_order_11 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_11 = nearer[22] ? nearer_entries_choice_10 : nearer_entries_in_order_10;
+    wire nearer_entries_in_order_12 = item_distance2 < working[1171:1140];
+    wire nearer_entries_choice_12 = nearer[20] ? nearer_entries_in_order_12 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_13 = nearer[21] ? nearer_entries_choice_12 : nearer_entries_in_order_11;
+    wire nearer_entries_in_order_13 = item_distance2 < working[1114:1083];
+    wire nearer_entries_choice_14 = nearer[19] ? nearer_entries_in_order_13 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_15 = nearer[20] ? nearer_entries_choice_14 : nearer_entries_in_order_12;
+    wire nearer_entries_in_order_14 = item_distance2 < working[1057:1026];
+    wire nearer_entries_choice_16 = nearer[18] ? nearer_entries_in_order_14 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_17 = nearer[19] ? nearer_entries_choice_16 : nearer_entries_in_order_13;
+    wire nearer_entries_in_order_15 = item_distance2 < working[1000:969];
+    wire nearer_entries_choice_18 = nearer[17] ? nearer_entries_in_order_15 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_19 = nearer[18] ? nearer_entries_choice_18 : nearer_entries_in_order_14;
+    wire nearer_entries_in_order_16 = item_distance2 < working[943:912];
+    wire nearer_entries_choice_20 = nearer[16] ? nearer_entries_in_order_16 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_21 = nearer[17] ? nearer_entries_choice_20 : nearer_entries_in_order_15;
+    wire nearer_entries_in_order_17 = item_distance2 < working[886:855];
+    wire nearer_entries_choice_22 = nearer[15] ? nearer_entries_in_order_17 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_23 = nearer[16] ? nearer_entries_choice_22 : nearer_entries_in_order_16;
+    wire nearer_entries_in_order_18 = item_distance2 < working[829:798];
+    wire nearer_entries_choice_24 = nearer[14] ? nearer_entries_in_order_18 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_25 = nearer[15] ? nearer_entries_choice_24 : nearer_entries_in_order_17;
+    wire nearer_entries_in_order_19 = item_distance2 < working[772:741];
+    wire nearer_entries_choice_26 = nearer[13] ? nearer_entries_in_order_19 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_27 = nearer[14] ? nearer_entries_choice_26 : nearer_entries_in_order_18;
+    wire nearer_entries_in_order_20 = item_distance2 < working[715:684];
+    wire nearer_entries_choice_28 = nearer[12] ? nearer_entries_in_order_20 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_29 = nearer[13] ? nearer_entries_choice_28 : nearer_entries_in_order_19;
+    wire nearer_entries_in_order_21 = item_distance2 < working[658:627];
+    wire nearer_entries_choice_30 = nearer[11] ? nearer_entries_in_order_21 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_31 = nearer[12] ? nearer_entries_choice_30 : nearer_entries_in_order_20;
+    wire nearer_entries_in_order_22 = item_distance2 < working[601:570];
+    wire nearer_entries_choice_32 = nearer[10] ? nearer_entries_in_order_22 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_33 = nearer[11] ? nearer_entries_choice_32 : nearer_entries_in_order_21;
+    wire nearer_entries_in_order_23 = item_distance2 < working[544:513];
+    wire nearer_entries_choice_34 = nearer[9] ? nearer_entries_in_order_23 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_35 = nearer[10] ? nearer_entries_choice_34 : nearer_entries_in_order_22;
+    wire nearer_entries_in_order_24 = item_distance2 < working[487:456];
+    wire nearer_entries_choice_36 = nearer[8] ? nearer_entries_in_order_24 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_37 = nearer[9] ? nearer_entries_choice_36 : nearer_entries_in_order_23;
+    wire nearer_entries_in_order_25 = item_distance2 < working[430:399];
+    wire nearer_entries_choice_38 = nearer[7] ? nearer_entries_in_order_25 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_39 = nearer[8] ? nearer_entries_choice_38 : nearer_entries_in_order_24;
+    wire nearer_entries_in_order_26 = item_distance2 < working[373:342];
+    wire nearer_entries_choice_40 = nearer[6] ? nearer_entries_in_order_26 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_41 = nearer[7] ? nearer_entries_choice_40 : nearer_entries_in_order_25;
+    wire nearer_entries_in_order_27 = item_distance2 < working[316:285];
+    wire nearer_entries_choice_42 = nearer[5] ? nearer_entries_in_order_27 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_43 = nearer[6] ? nearer_entries_choice_42 : nearer_entries_in_order_26;
+    wire nearer_entries_in_order_28 = item_distance2 < working[259:228];
+    wire nearer_entries_choice_44 = nearer[4] ? nearer_entries_in_order_28 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_45 = nearer[5] ? nearer_entries_choice_44 : nearer_entries_in_order_27;
+    wire nearer_entries_in_order_29 = item_distance2 < working[202:171];
+    wire nearer_entries_choice_46 = nearer[3] ? nearer_entries_in_order_29 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_47 = nearer[4] ? nearer_entries_choice_46 : nearer_entries_in_order_28;
+    wire nearer_entries_in_order_30 = item_distance2 < working[145:114];
+    wire nearer_entries_choice_48 = nearer[2] ? nearer_entries_in_order_30 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_49 = nearer[3] ? nearer_entries_choice_48 : nearer_entries_in_order_29;
+    wire nearer_entries_in_order_31 = item_distance2 < working[88:57];
+    wire nearer_entries_choice_50 = nearer[1] ? nearer_entries_in_order_31 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_51 = nearer[2] ? nearer_entries_choice_50 : nearer_entries_in_order_30;
+    wire nearer_entries_in_order_32 = item_distance2 < working[31:0];
+    wire nearer_entries_choice_52 = nearer[0] ? nearer_entries_in_order_32 : nearer_entries_in_order_2;
+    wire nearer_entries_choice_53 = nearer[1] ? nearer_entries_choice_52 : nearer_entries_in_order_31;
+    wire nearer_entries_choice_54 = nearer[0] ? nearer_entries_in_order_2 : nearer_entries_in_order_32;
+    wire [31:0] nearer_entries_bits_2 = {
+        nearer_entries_choice, nearer[30] ? nearer_entries_choice_2 : nearer_entries_in_order,
+        nearer[29] ? nearer_entries_choice_3 : nearer_entries_in_order_3,
+        nearer[28] ? nearer_entries_choice_4 : nearer_entries_in_order_4,
+        nearer[27] ? nearer_entries_choice_5 : nearer_entries_in_order_5,
+        nearer[26] ? nearer_entries_choice_6 : nearer_entries_in_order_6,
+        nearer[25] ? nearer_entries_choice_7 : nearer_entries_in_order_7,
+        nearer[24] ? nearer_entries_choice_8 : nearer_entries_in_order_8,
+        nearer[23] ? nearer_entries_choice_9 : nearer_entries_in_order_9, nearer_entries_choice_11,
+        nearer_entries_choice_13, nearer_entries_choice_15, nearer_entries_choice_17,
+        nearer_entries_choice_19, nearer_entries_choice_21, nearer_entries_choice_23,
+        nearer_entries_choice_25, nearer_entries_choice_27, nearer_entries_choice_29,
+        nearer_entries_choice_31, nearer_entries_choice_33, nearer_entries_choice_35,
+        nearer_entries_choice_37, nearer_entries_choice_39, nearer_entries_choice_41,
+        nearer_entries_choice_43, nearer_entries_choice_45, nearer_entries_choice_47,
+        nearer_entries_choice_49, nearer_entries_choice_51, nearer_entries_choice_53,
+        nearer_entries_choice_54
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : joined_149) : joined_204;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : nearer_entries_bits) : nearer_entries_bits_2;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_205 = fresh >> finish_queue_out_data;
-    wire [31:0] choice_206 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] fetch_from_nothing_shifted = fresh >> finish_queue_out_data;
+    wire [31:0] item_distance2_choice = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
         radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
@@ -1704,7 +1712,7 @@ module search_queue (
         radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_207 = from_leaf >> candidates_thread;
+    wire [15:0] arrivals_data_shifted = from_leaf >> candidates_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
 
@@ -1712,19 +1720,17 @@ module search_queue (
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
-    assign result_found = position[4] ? choice_15 : choice_20;
-    assign result_index = position[4] ? choice_25 : choice_30;
-    assign result_distance2 = position[4] ? choice_35 : choice_40;
+    assign result_found = position[4] ? result_found_choice_5 : result_found_choice_10;
+    assign result_index = position[4] ? result_index_choice_5 : result_index_choice_10;
+    assign result_distance2 = position[4] ? result_distance2_choice_7 : result_distance2_choice_14;
 
     memory_1w1r #(.WIDTH(1824), .DEPTH(16)) rows (
-        .clk(clk),
-        .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .clk(clk), .write(write_back), .write_address(owner), .write_data(inserted_row),
         .read(1'd1), .read_address(read_thread), .read_data(stored)
     );
 
     memory_1w1r #(.WIDTH(94), .DEPTH(16)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
         .write_data({
             start_number, start_k, start_radius2, start_k < 6'd1, start_k < 6'd2, start_k < 6'd3, start_k < 6'd4,
             start_k < 6'd5, start_k < 6'd6, start_k < 6'd7, start_k < 6'd8, start_k < 6'd9, start_k < 6'd10,
@@ -1737,8 +1743,8 @@ module search_queue (
     );
 
     stream_skid_w4 finish_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(finish_valid), .in_ready(finish_queue_in_ready), .in_data(finish_thread),
+        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_queue_in_ready),
+        .in_data(finish_thread),
         .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
@@ -1768,11 +1774,11 @@ module search_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, term_134}) - {1'd0, take};
+            arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_137) | query_set;
+            fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_139 : (beat_reads & waits);
+            beat_reads <= take ? farthest_will_be_known_choice : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
@@ -1789,27 +1795,29 @@ module search_queue (
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
-            if (term_134) arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (arrivals_write_address_enable_both) begin
+                arrivals_write_address <= arrivals_write_address + 1'd1;
+            end
             if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
         if (item_valid) owner <= item_thread;
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? joined_146 : left;
+        beat_pending <= take ? beat_pending_bits : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_148[0];
+        item_fresh <= fresh_shifted_by_beat_thread[0];
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_43;
-        farthest <= choice_43;
+        radius_radius2 <= radius_radius2_choice;
+        farthest <= radius_radius2_choice;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_205[0];
+        fetch_from_nothing <= fetch_from_nothing_shifted[0];
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_206;
+        item_distance2 <= chosen[0] ? beat_distance0 : item_distance2_choice;
         released_thread <= readout_thread;
         if (beat_free) begin
             beat_thread <= arrivals_head[186:183];
@@ -1830,59 +1838,43 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (term_134) begin
+        if (arrivals_write_address_enable_both) begin
             arrivals[arrivals_write_address] <= {
                 candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
-                candidates_distance2, candidates_distance3, shifted_207[0] ? leaf_radius2 : query_radius2
+                candidates_distance2, candidates_distance3, arrivals_data_shifted[0] ? leaf_radius2 : query_radius2
             };
         end
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
     wire _unused = &{
-        1'b0, shifted_138[15:1], shifted_148[15:1], shifted_205[15:1], shifted_207[15:1], start_x, start_y,
-        start_z
+        1'b0, arrivals_data_shifted[15:1], fetch_from_nothing_shifted[15:1],
+        fresh_shifted_by_beat_thread[15:1], is_fresh_shifted[15:1], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
-    wire term_208 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [15:0] shifted_209 = fresh >> readout_thread;
+    wire [15:0] check_shifted = fresh >> readout_thread;
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~fetching | term_208)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                a_fetched_row_stays_where_it_is: assert (0);
+        a_fetched_row_stays_where_it_is: assert (~fetching | (fetch_from_working == (owned & (owner == readout_thread))));
+        a_fetched_row_stays_fresh: assert (~fetching | (fetch_from_nothing == check_shifted[0]));
+        idle_when_neither: assert (readout_idle == ~(fetching | sending));
 `else
-                $display("assertion failed: a_fetched_row_stays_where_it_is in %m");
-                $stop;
-`endif
-            end
-            if (!(~fetching | (fetch_from_nothing == shifted_209[0]))) begin
-`ifdef FORMAL
-                a_fetched_row_stays_fresh: assert (0);
-`else
-                $display("assertion failed: a_fetched_row_stays_fresh in %m");
-                $stop;
-`endif
-            end
-            if (!(readout_idle == ~(fetching | sending))) begin
-`ifdef FORMAL
-                idle_when_neither: assert (0);
-`else
-                $display("assertion failed: idle_when_neither in %m");
-                $stop;
-`endif
-            end
+        if (!(~fetching | (fetch_from_working == (owned & (owner == readout_thread))))) begin
+            $display("assertion failed: a_fetched_row_stays_where_it_is in %m"); $stop;
         end
+        if (!(~fetching | (fetch_from_nothing == check_shifted[0]))) begin
+            $display("assertion failed: a_fetched_row_stays_fresh in %m"); $stop;
+        end
+        if (!(readout_idle == ~(fetching | sending))) begin
+            $display("assertion failed: idle_when_neither in %m"); $stop;
+        end
+`endif
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_209[15:1]};
+    wire _unused_by_checks = &{1'b0, check_shifted[15:1]};
 `endif
 endmodule
 
@@ -1891,8 +1883,7 @@ endmodule
 // lanes = 4
 // depth = 16
 module search_sieve (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [3:0] start_thread,  // Thread.
     input  wire [23:0] start_number,  // Its number, which its results bear.
@@ -1930,19 +1921,25 @@ module search_sieve (
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg s1_valid;
-    reg [3:0] s1_thread;
-    reg [21:0] s1_address;
-    reg s1_last;
-    reg [31:0] s1_distance0, s1_distance1, s1_distance2, s1_distance3;
+    reg [3:0] s1_thread;  // Thread.
+    reg [21:0] s1_address;  // Address in the point memory.
+    reg s1_last;  // Closes its leaf.
+    reg [31:0] s1_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s1_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s1_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s1_distance3;  // A squared distance a lane; NaN where there is no point.
     reg [15:0] from_leaf;
     reg [31:0] radius2;
     reg s2_valid, s2_survives;
-    reg [3:0] s2_thread;
-    reg [21:0] s2_address;
-    reg s2_last;
-    reg [31:0] s2_distance0, s2_distance1, s2_distance2, s2_distance3;
+    reg [3:0] s2_thread;  // Thread.
+    reg [21:0] s2_address;  // Address in the point memory.
+    reg s2_last;  // Closes its leaf.
+    reg [31:0] s2_distance0;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s2_distance1;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s2_distance2;  // A squared distance a lane; NaN where there is no point.
+    reg [31:0] s2_distance3;  // A squared distance a lane; NaN where there is no point.
     reg held_valid, held_last;
-    reg [3:0] held_thread;
+    reg [3:0] held_thread;  // Thread.
     reg [21:0] held_address;
     reg [31:0] held_distance0, held_distance1, held_distance2, held_distance3;
 
@@ -1985,10 +1982,10 @@ module search_sieve (
         radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
+    wire [15:0] radius2_shifted = from_leaf >> candidates_queue_out_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
-    wire [3:0] joined_2 = {s1_distance3 < radius2, s1_distance2 < radius2, s1_distance1 < radius2, s1_distance0 < radius2};
+    wire [3:0] s2_survives_bits = {s1_distance3 < radius2, s1_distance2 < radius2, s1_distance1 < radius2, s1_distance0 < radius2};
     wire keep = near & proceeds;
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
@@ -2000,8 +1997,7 @@ module search_sieve (
     } = kept_queue_out_data;
 
     stream_skid_w155 candidates_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
         .in_data({
             candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
             candidates_distance2, candidates_distance3
@@ -2010,8 +2006,7 @@ module search_sieve (
     );
 
     stream_fifo_d16_w155 kept_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(leaves), .in_ready(kept_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({
             held_thread, held_address, held_last, held_distance0, held_distance1, held_distance2, held_distance3
         }),
@@ -2042,10 +2037,10 @@ module search_sieve (
             s1_distance1 <= candidates_queue_out_distance1;
             s1_distance2 <= candidates_queue_out_distance2;
             s1_distance3 <= candidates_queue_out_distance3;
-            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+            radius2 <= radius2_shifted[0] ? leaf_radius2 : query_radius2;
         end
         if (decides) begin
-            s2_survives <= |joined_2;
+            s2_survives <= |s2_survives_bits;
             s2_thread <= s1_thread;
             s2_address <= s1_address;
             s2_last <= s1_last;
@@ -2065,28 +2060,19 @@ module search_sieve (
         end
         skipped_thread <= s2_thread;
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, radius2_shifted[15:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue in a memory with a registered output.
 // depth = 16
 // width = 155
 module stream_fifo_d16_w155 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [154:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [154:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
 );
     reg [4:0] held, waiting;
     reg [3:0] write_address, read_address;
@@ -2101,8 +2087,7 @@ module stream_fifo_d16_w155 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(155), .DEPTH(16)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -2123,25 +2108,16 @@ module stream_fifo_d16_w155 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2150,8 +2126,7 @@ endmodule
 // threads = 16
 // lanes = 4
 module search_leaf (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [3:0] start_thread,  // Thread.
     input  wire [23:0] start_number,  // Its number, which its results bear.
@@ -2188,11 +2163,21 @@ module search_leaf (
     output wire [31:0] candidates_distance3  // A squared distance a lane; NaN where there is no point.
 );
     reg query_valid;
-    reg [3:0] points_thread;
-    reg [21:0] points_address;
-    reg points_last;
-    reg [31:0] points_x0, points_y0, points_z0, points_x1, points_y1, points_z1, points_x2, points_y2, points_z2;
-    reg [31:0] points_x3, points_y3, points_z3;
+    reg [3:0] points_thread;  // Thread.
+    reg [21:0] points_address;  // Address in the point memory.
+    reg points_last;  // Closes its leaf.
+    reg [31:0] points_x0;  // A point a lane; NaN where there is none.
+    reg [31:0] points_y0;  // A point a lane; NaN where there is none.
+    reg [31:0] points_z0;  // A point a lane; NaN where there is none.
+    reg [31:0] points_x1;  // A point a lane; NaN where there is none.
+    reg [31:0] points_y1;  // A point a lane; NaN where there is none.
+    reg [31:0] points_z1;  // A point a lane; NaN where there is none.
+    reg [31:0] points_x2;  // A point a lane; NaN where there is none.
+    reg [31:0] points_y2;  // A point a lane; NaN where there is none.
+    reg [31:0] points_z2;  // A point a lane; NaN where there is none.
+    reg [31:0] points_x3;  // A point a lane; NaN where there is none.
+    reg [31:0] points_y3;  // A point a lane; NaN where there is none.
+    reg [31:0] points_z3;  // A point a lane; NaN where there is none.
     wire [95:0] query;
 
     wire beat_queue_in_ready, beat_queue_out_valid;
@@ -2231,14 +2216,13 @@ module search_leaf (
     assign candidates_distance3 = distance_out_distance3;
 
     memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
+        .write_data({start_x, start_y, start_z}),
         .read(query_advance), .read_address(beat_queue_out_thread), .read_data(query)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
         .in_data({
             beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
             beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
@@ -2247,8 +2231,7 @@ module search_leaf (
     );
 
     search_distance distance (
-        .clk(clk), .rst(rst),
-        .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
+        .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
         .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
         .in_z0(points_z0), .in_x1(points_x1), .in_y1(points_y1), .in_z1(points_z1), .in_x2(points_x2),
         .in_y2(points_y2), .in_z2(points_z2), .in_x3(points_x3), .in_y3(points_y3), .in_z3(points_z3),
@@ -2260,11 +2243,8 @@ module search_leaf (
     );
 
     always @(posedge clk) begin
-        if (rst) begin
-            query_valid <= 1'd0;
-        end else if (query_advance) begin
-            query_valid <= beat_queue_out_valid;
-        end
+        if (rst) query_valid <= 1'd0;
+        else if (query_advance) query_valid <= beat_queue_out_valid;
     end
     always @(posedge clk) begin
         if (query_advance) begin
@@ -2293,37 +2273,17 @@ endmodule
 // latency = 23
 // initiation_interval = 1
 module search_distance (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_x0,
-    input  wire [31:0] in_y0,
-    input  wire [31:0] in_z0,
-    input  wire [31:0] in_x1,
-    input  wire [31:0] in_y1,
-    input  wire [31:0] in_z1,
-    input  wire [31:0] in_x2,
-    input  wire [31:0] in_y2,
-    input  wire [31:0] in_z2,
-    input  wire [31:0] in_x3,
-    input  wire [31:0] in_y3,
-    input  wire [31:0] in_z3,
-    input  wire [31:0] in_query_x,
-    input  wire [31:0] in_query_y,
-    input  wire [31:0] in_query_z,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1,
-    output wire [31:0] out_distance2,
-    output wire [31:0] out_distance3
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [3:0] in_thread,
+    input  wire [21:0] in_address, input wire in_last, input wire [31:0] in_x0,
+    input  wire [31:0] in_y0, input wire [31:0] in_z0, input wire [31:0] in_x1,
+    input  wire [31:0] in_y1, input wire [31:0] in_z1, input wire [31:0] in_x2,
+    input  wire [31:0] in_y2, input wire [31:0] in_z2, input wire [31:0] in_x3,
+    input  wire [31:0] in_y3, input wire [31:0] in_z3, input wire [31:0] in_query_x,
+    input  wire [31:0] in_query_y, input wire [31:0] in_query_z,
+    output wire out_valid, input wire out_ready, output wire [3:0] out_thread,
+    output wire [21:0] out_address, output wire out_last, output wire [31:0] out_distance0,
+    output wire [31:0] out_distance1, output wire [31:0] out_distance2, output wire [31:0] out_distance3
 );
     (* ram_style = "distributed" *)
     reg [127:0] delay_6_from_0 [0:4];
@@ -2348,35 +2308,40 @@ module search_distance (
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
 
-    wire [31:0] joined_1 = {~in_query_x[31], in_query_x[30:0]};
-    wire [31:0] joined_2 = {~in_query_y[31], in_query_y[30:0]};
-    wire [31:0] joined_3 = {~in_query_z[31], in_query_z[30:0]};
+    wire [3:0] thread_d23 = delay_23_from_0_out[3:0];
+    wire [21:0] address_d23 = delay_23_from_0_out[25:4];
+    wire last_d23 = delay_23_from_0_out[26];
+    wire [31:0] minus_in_query_x = {~in_query_x[31], in_query_x[30:0]};
+    wire [31:0] minus_in_query_y = {~in_query_y[31], in_query_y[30:0]};
+    wire [31:0] minus_in_query_z = {~in_query_z[31], in_query_z[30:0]};
+    wire [31:0] offset_z_squared_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] offset_z_squared_d6_copy2 = delay_6_from_0_out[63:32];
+    wire [31:0] offset_z_squared_d6_copy3 = delay_6_from_0_out[95:64];
+    wire [31:0] offset_z_squared_d6_copy4 = delay_6_from_0_out[127:96];
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
 
     stream_skid_w155 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[22]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[22]), .in_ready(queue_in_ready),
         .in_data({
-            delay_23_from_0_out[3:0], delay_23_from_0_out[25:4], delay_23_from_0_out[26],
-            add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy15_y,
-            add_f32_ftz_unit_copy20_y
+            thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
+            add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy20_y
         }),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(joined_1), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(joined_2), .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(joined_3), .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
@@ -2385,20 +2350,20 @@ module search_distance (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(delay_6_from_0_out[31:0]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
@@ -2407,20 +2372,20 @@ module search_distance (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(delay_6_from_0_out[63:32]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
@@ -2429,20 +2394,20 @@ module search_distance (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[95:64]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
@@ -2451,7 +2416,7 @@ module search_distance (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_out[127:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(offset_z_squared_d6_copy4),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
@@ -2546,14 +2511,9 @@ endmodule
 // Queue of two in registers.
 // width = 155
 module stream_skid_w155 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [154:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [154:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [154:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [154:0] out_data
 );
     reg second_valid;
     reg [154:0] head, second;
@@ -2579,17 +2539,14 @@ module stream_skid_w155 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2597,14 +2554,9 @@ endmodule
 // Queue of two in registers.
 // width = 411
 module stream_skid_w411 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [410:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [410:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [410:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [410:0] out_data
 );
     reg second_valid;
     reg [410:0] head, second;
@@ -2630,17 +2582,14 @@ module stream_skid_w411 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2648,8 +2597,7 @@ endmodule
 // Pops paths until one is worth descending.
 // threads = 16
 module search_recursion (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [3:0] start_thread,  // Thread.
     input  wire [23:0] start_number,  // Its number, which its results bear.
@@ -2684,8 +2632,8 @@ module search_recursion (
     reg r0_valid, r1_valid, r2_valid;
     reg [3:0] r0_thread, r1_thread, r2_thread;
     reg found;
-    reg [20:0] path_node;
-    reg [31:0] path_distance2;
+    reg [20:0] path_node;  // The subtree's root.
+    reg [31:0] path_distance2;  // Squared distance of the query to the splitting plane before it.
     reg [15:0] from_leaf;
     reg [31:0] radius2;
 
@@ -2720,7 +2668,7 @@ module search_recursion (
         radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
         radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_1 = from_leaf >> r1_thread;
+    wire [15:0] from_leaf_shifted_by_r1_thread = from_leaf >> r1_thread;
     wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [31:0] query_radius2 = query_radii[r1_thread];
 
@@ -2731,14 +2679,13 @@ module search_recursion (
     assign pop_thread = r0_thread;
 
     stream_skid_w4 in_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w25 resume_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(popped & nearer), .in_ready(resume_queue_in_ready), .in_data({r2_thread, path_node}),
+        .clk(clk), .rst(rst), .in_valid(popped & nearer), .in_ready(resume_queue_in_ready),
+        .in_data({r2_thread, path_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
@@ -2769,31 +2716,22 @@ module search_recursion (
             found <= ~top_empty;
             path_node <= top_node;
             path_distance2 <= top_distance2;
-            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+            radius2 <= from_leaf_shifted_by_r1_thread[0] ? leaf_radius2 : query_radius2;
         end
         empty_thread <= r2_thread;
     end
-    always @(posedge clk) begin
-        if (start_valid) query_radii[start_thread] <= start_radius2;
-    end
-    always @(posedge clk) begin
-        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
-    end
+    always @(posedge clk) if (start_valid) query_radii[start_thread] <= start_radius2;
+    always @(posedge clk) if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
 
-    wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, from_leaf_shifted_by_r1_thread[15:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue of two in registers.
 // width = 4
 module stream_skid_w4 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [3:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [3:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [3:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [3:0] out_data
 );
     reg second_valid;
     reg [3:0] head, second;
@@ -2819,17 +2757,14 @@ module stream_skid_w4 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -2838,8 +2773,7 @@ endmodule
 // threads = 16
 // depth = 20
 module search_stack (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire push_valid,  // A path to remember.
     input  wire [3:0] push_thread,  // Thread.
     input  wire [20:0] push_node,  // The subtree's root.
@@ -2854,16 +2788,16 @@ module search_stack (
     reg [4:0] depth_11, depth_12, depth_13, depth_14, depth_15;
     wire [52:0] top;
 
-    wire [4:0] choice_1 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
-    wire [4:0] choice_2 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
-    wire [4:0] choice_3 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
-    wire [4:0] choice_4 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
-    wire [4:0] push_depth = push_thread[3] ? (push_thread[2] ? choice_1 : choice_2) : push_thread[2] ? choice_3 : choice_4;
-    wire [4:0] choice_5 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
-    wire [4:0] choice_6 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
-    wire [4:0] choice_7 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
-    wire [4:0] choice_8 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
-    wire [4:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_5 : choice_6) : pop_thread[2] ? choice_7 : choice_8;
+    wire [4:0] push_depth_choice = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
+    wire [4:0] push_depth_choice_2 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
+    wire [4:0] push_depth_choice_3 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
+    wire [4:0] push_depth_choice_4 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
+    wire [4:0] push_depth = push_thread[3] ? (push_thread[2] ? push_depth_choice : push_depth_choice_2) : push_thread[2] ? push_depth_choice_3 : push_depth_choice_4;
+    wire [4:0] pop_depth_choice = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
+    wire [4:0] pop_depth_choice_2 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
+    wire [4:0] pop_depth_choice_3 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
+    wire [4:0] pop_depth_choice_4 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
+    wire [4:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? pop_depth_choice : pop_depth_choice_2) : pop_thread[2] ? pop_depth_choice_3 : pop_depth_choice_4;
     wire takes = pop_valid & |pop_depth;
     wire [15:0] up = {
         push_valid & (push_thread == 4'd15), push_valid & (push_thread == 4'd14),
@@ -2887,8 +2821,7 @@ module search_stack (
     assign {top_node, top_distance2} = top;
 
     memory_1w1r_unordered #(.WIDTH(53), .DEPTH(512)) paths (
-        .clk(clk),
-        .write(push_valid), .write_address({push_thread, push_depth}),
+        .clk(clk), .write(push_valid), .write_address({push_thread, push_depth}),
         .write_data({push_node, push_distance2}),
         .read(takes), .read_address({pop_thread, pop_depth - 5'd1}), .read_data(top)
     );
@@ -2934,25 +2867,18 @@ module search_stack (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~push_valid | (push_depth < 5'd20))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                stack_has_room: assert (0);
+        stack_has_room: assert (~push_valid | (push_depth < 5'd20));
+        one_access_a_thread: assert (~(push_valid & pop_valid & (push_thread == pop_thread)));
 `else
-                $display("assertion failed: stack_has_room in %m");
-                $stop;
-`endif
-            end
-            if (!(~(push_valid & pop_valid & (push_thread == pop_thread)))) begin
-`ifdef FORMAL
-                one_access_a_thread: assert (0);
-`else
-                $display("assertion failed: one_access_a_thread in %m");
-                $stop;
-`endif
-            end
+        if (!(~push_valid | (push_depth < 5'd20))) begin
+            $display("assertion failed: stack_has_room in %m"); $stop;
         end
+        if (!(~(push_valid & pop_valid & (push_thread == pop_thread)))) begin
+            $display("assertion failed: one_access_a_thread in %m"); $stop;
+        end
+`endif
     end
 `endif
 endmodule
@@ -2961,8 +2887,7 @@ endmodule
 // threads = 16
 // tree_depth = 20
 module search_traversal (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire start_valid,  // A thread taking up a query.
     input  wire [3:0] start_thread,  // Thread.
     input  wire [23:0] start_number,  // Its number, which its results bear.
@@ -3003,18 +2928,19 @@ module search_traversal (
     output wire [3:0] reached_thread  // Thread.
 );
     reg f_valid;
-    reg [3:0] f_thread;
-    reg [20:0] f_node;
+    reg [3:0] f_thread;  // Thread.
+    reg [20:0] f_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg v_valid;
-    reg [3:0] v_thread;
-    reg [20:0] v_node;
+    reg [3:0] v_thread;  // Thread.
+    reg [20:0] v_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg s_valid;
-    reg [3:0] s_thread;
-    reg [20:0] s_node;
+    reg [3:0] s_thread;  // Thread.
+    reg [20:0] s_node;  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     reg f_is_child, s_at_leaf;
-    reg [31:0] s_coordinate, s_split, v_split;
-    reg [1:0] v_dimension;
-    reg v_internal_leaf;
+    reg [31:0] s_coordinate, s_split;
+    reg [31:0] v_split;  // Where its plane cuts its dimension.
+    reg [1:0] v_dimension;  // Its dimension.
+    reg v_internal_leaf;  // It is a leaf.
     wire [95:0] query;
 
     wire descend_queue_in_ready, descend_queue_out_valid;
@@ -3042,19 +2968,19 @@ module search_traversal (
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [20:0] choice_1 = (v_node[20:5] == 16'd0) ? (v_node << 16) : v_node;
-    wire [20:0] choice_2 = (choice_1[20:13] == 8'd0) ? (choice_1 << 8) : choice_1;
-    wire [20:0] choice_3 = (choice_2[20:17] == 4'd0) ? (choice_2 << 4) : choice_2;
-    wire [20:0] choice_4 = (choice_3[20:19] == 2'd0) ? (choice_3 << 2) : choice_3;
-    wire [20:0] choice_5 = ~choice_4[20] ? (choice_4 << 1) : choice_4;
+    wire [20:0] leaf_queue_in_data_choice = (v_node[20:5] == 16'd0) ? (v_node << 16) : v_node;
+    wire [20:0] leaf_queue_in_data_choice_2 = (leaf_queue_in_data_choice[20:13] == 8'd0) ? (leaf_queue_in_data_choice << 8) : leaf_queue_in_data_choice;
+    wire [20:0] leaf_queue_in_data_choice_3 = (leaf_queue_in_data_choice_2[20:17] == 4'd0) ? (leaf_queue_in_data_choice_2 << 4) : leaf_queue_in_data_choice_2;
+    wire [20:0] leaf_queue_in_data_choice_4 = (leaf_queue_in_data_choice_3[20:19] == 2'd0) ? (leaf_queue_in_data_choice_3 << 2) : leaf_queue_in_data_choice_3;
+    wire [20:0] leaf_queue_in_data_choice_5 = ~leaf_queue_in_data_choice_4[20] ? (leaf_queue_in_data_choice_4 << 1) : leaf_queue_in_data_choice_4;
     wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
     wire [3:0] resume_queue_out_thread = resume_queue_out_data[24:21];
     wire [3:0] descend_queue_out_thread = descend_queue_out_data[24:21];
-    wire [3:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire [3:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
     wire [20:0] resume_queue_out_node = resume_queue_out_data[20:0];
     wire [20:0] descend_queue_out_node = descend_queue_out_data[20:0];
-    wire [20:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [20:0] next_node = descends ? {v_node[19:0], 1'd0} : choice_7;
+    wire [20:0] next_node_choice = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [20:0] next_node = descends ? {v_node[19:0], 1'd0} : next_node_choice;
     wire [20:0] record_queue_out_node = record_queue_out_data[55:35];
     wire [31:0] record_queue_out_split = record_queue_out_data[34:3];
     wire [1:0] record_queue_out_dimension = record_queue_out_data[2:1];
@@ -3075,49 +3001,47 @@ module search_traversal (
     assign reached_thread = path_out_thread;
 
     memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
-        .clk(clk),
-        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .clk(clk), .write(start_valid), .write_address(start_thread),
+        .write_data({start_x, start_y, start_z}),
         .read(advance), .read_address(record_queue_out_thread), .read_data(query)
     );
 
     stream_skid_w25 descend_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(descend_valid), .in_ready(descend_queue_in_ready), .in_data({descend_thread, descend_node}),
+        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_queue_in_ready),
+        .in_data({descend_thread, descend_node}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
         .out_data(descend_queue_out_data)
     );
 
     stream_skid_w25 resume_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(resume_valid), .in_ready(resume_queue_in_ready), .in_data({resume_thread, resume_node}),
+        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_queue_in_ready),
+        .in_data({resume_thread, resume_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
         .out_data(resume_queue_out_data)
     );
 
     stream_skid_w24 leaf_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready), .in_data({v_thread, choice_5[19:0]}),
+        .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
+        .in_data({v_thread, leaf_queue_in_data_choice_5[19:0]}),
         .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
-        .clk(clk), .rst(rst),
-        .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf), .in_thread(s_thread),
-        .in_node({s_node[19:0], less_y}), .in_coordinate(s_coordinate), .in_split(s_split),
+        .clk(clk), .rst(rst), .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf),
+        .in_thread(s_thread), .in_node({s_node[19:0], less_y}), .in_coordinate(s_coordinate),
+        .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
         .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
     stream_skid_w25 node_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(advance & f_valid), .in_ready(node_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(advance & f_valid), .in_ready(node_queue_in_ready),
         .in_data({f_thread, f_node[20:1], f_is_child ? ~less_y : f_node[0]}),
         .out_valid(node_queue_out_valid), .out_ready(node_ready), .out_data(node_queue_out_data)
     );
 
     stream_skid_w60 record_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(record_valid), .in_ready(record_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(record_valid), .in_ready(record_queue_in_ready),
         .in_data({record_thread, record_node, record_split, record_dimension, record_internal_leaf}),
         .out_valid(record_queue_out_valid), .out_ready(advance), .out_data(record_queue_out_data)
     );
@@ -3141,7 +3065,7 @@ module search_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_6;
+            f_thread <= descends ? v_thread : f_thread_choice;
             f_node <= next_node;
             v_thread <= record_queue_out_thread;
             v_node <= record_queue_out_node;
@@ -3157,28 +3081,25 @@ module search_traversal (
         end
     end
 
-    wire _unused = &{1'b0, choice_5[20], s_node[20], start_k, start_number, start_radius2};
+    wire _unused = &{1'b0, leaf_queue_in_data_choice_5[20], s_node[20], start_k, start_number, start_radius2};
 endmodule
 
 // Whether one floating-point number is less than another.
 // stages = 1
 // format = f32-ftz
 module float_lt_s1_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [30:0] joined_2 = {a[30:23], term_1};
-    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_4 = {b[30:23], term_3};
-    wire term_5 = {~a[31], joined_2 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+    wire [22:0] y_both = a[22:0] & {23{|a[30:23]}};
+    wire [30:0] y_bits = {a[30:23], y_both};
+    wire [22:0] y_both_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] y_bits_2 = {b[30:23], y_both_2};
+    wire y_in_order = {~a[31], y_bits ^ {31{a[31]}}} < {~b[31], y_bits_2 ^ {31{b[31]}}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= term_5 & ~((joined_2 | joined_4) == 31'd0) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
+            y <= y_in_order & ~((y_bits | y_bits_2) == 31'd0) & ~((&a[30:23] & |y_both) | (&b[30:23] & |y_both_2));
         end
     end
 endmodule
@@ -3186,14 +3107,9 @@ endmodule
 // Queue of two in registers.
 // width = 60
 module stream_skid_w60 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [59:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [59:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [59:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [59:0] out_data
 );
     reg second_valid;
     reg [59:0] head, second;
@@ -3219,17 +3135,14 @@ module stream_skid_w60 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3238,21 +3151,11 @@ endmodule
 // latency = 11
 // initiation_interval = 1
 module search_path (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_is_leaf,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_node,
-    input  wire [31:0] in_coordinate,
-    input  wire [31:0] in_split,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire out_is_leaf,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_node,
-    output wire [31:0] out_distance2
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire in_is_leaf, input wire [3:0] in_thread,
+    input  wire [20:0] in_node, input wire [31:0] in_coordinate, input wire [31:0] in_split,
+    output wire out_valid, input wire out_ready, output wire out_is_leaf, output wire [3:0] out_thread,
+    output wire [20:0] out_node, output wire [31:0] out_distance2
 );
     (* ram_style = "distributed" *)
     reg [25:0] delay_11_from_0 [0:9];
@@ -3264,14 +3167,17 @@ module search_path (
     wire [57:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
+    wire is_leaf_d11 = delay_11_from_0_out[0];
+    wire [3:0] thread_d11 = delay_11_from_0_out[4:1];
+    wire [20:0] node_d11 = delay_11_from_0_out[25:5];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w58 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[10]), .in_ready(queue_in_ready),
-        .in_data({delay_11_from_0_out[0], delay_11_from_0_out[4:1], delay_11_from_0_out[25:5], mul_f32_ftz_unit_y}),
+        .clk(clk), .rst(rst), .in_valid(in_flight[10]), .in_ready(queue_in_ready),
+        .in_data({is_leaf_d11, thread_d11, node_d11, mul_f32_ftz_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -3305,14 +3211,9 @@ endmodule
 // Queue of two in registers.
 // width = 58
 module stream_skid_w58 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [57:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [57:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [57:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [57:0] out_data
 );
     reg second_valid;
     reg [57:0] head, second;
@@ -3338,17 +3239,14 @@ module stream_skid_w58 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3356,14 +3254,9 @@ endmodule
 // Queue of two in registers.
 // width = 24
 module stream_skid_w24 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [23:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [23:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
 );
     reg second_valid;
     reg [23:0] head, second;
@@ -3389,17 +3282,14 @@ module stream_skid_w24 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3408,8 +3298,7 @@ endmodule
 // threads = 16
 // leaves_in_flight = 2
 module search_threads (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire query_valid,  // Queries.
     output wire query_ready,
     input  wire [23:0] query_number,  // Its number, which its results bear.
@@ -3504,39 +3393,39 @@ module search_threads (
         reached_valid & (reached_thread == 4'd3), reached_valid & (reached_thread == 4'd2),
         reached_valid & (reached_thread == 4'd1), reached_valid & (reached_thread == 4'd0)
     };
-    wire [1:0] difference_1 = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
-    wire [1:0] outstanding_15_next = difference_1 - {1'd0, skipped_set[15]};
-    wire [1:0] difference_2 = (outstanding_14 + {1'd0, reached_set[14]}) - {1'd0, leaf_done_set[14]};
-    wire [1:0] outstanding_14_next = difference_2 - {1'd0, skipped_set[14]};
-    wire [1:0] difference_3 = (outstanding_13 + {1'd0, reached_set[13]}) - {1'd0, leaf_done_set[13]};
-    wire [1:0] outstanding_13_next = difference_3 - {1'd0, skipped_set[13]};
-    wire [1:0] difference_4 = (outstanding_12 + {1'd0, reached_set[12]}) - {1'd0, leaf_done_set[12]};
-    wire [1:0] outstanding_12_next = difference_4 - {1'd0, skipped_set[12]};
-    wire [1:0] difference_5 = (outstanding_11 + {1'd0, reached_set[11]}) - {1'd0, leaf_done_set[11]};
-    wire [1:0] outstanding_11_next = difference_5 - {1'd0, skipped_set[11]};
-    wire [1:0] difference_6 = (outstanding_10 + {1'd0, reached_set[10]}) - {1'd0, leaf_done_set[10]};
-    wire [1:0] outstanding_10_next = difference_6 - {1'd0, skipped_set[10]};
-    wire [1:0] difference_7 = (outstanding_9 + {1'd0, reached_set[9]}) - {1'd0, leaf_done_set[9]};
-    wire [1:0] outstanding_9_next = difference_7 - {1'd0, skipped_set[9]};
-    wire [1:0] difference_8 = (outstanding_8 + {1'd0, reached_set[8]}) - {1'd0, leaf_done_set[8]};
-    wire [1:0] outstanding_8_next = difference_8 - {1'd0, skipped_set[8]};
-    wire [1:0] difference_9 = (outstanding_7 + {1'd0, reached_set[7]}) - {1'd0, leaf_done_set[7]};
-    wire [1:0] outstanding_7_next = difference_9 - {1'd0, skipped_set[7]};
-    wire [1:0] difference_10 = (outstanding_6 + {1'd0, reached_set[6]}) - {1'd0, leaf_done_set[6]};
-    wire [1:0] outstanding_6_next = difference_10 - {1'd0, skipped_set[6]};
-    wire [1:0] difference_11 = (outstanding_5 + {1'd0, reached_set[5]}) - {1'd0, leaf_done_set[5]};
-    wire [1:0] outstanding_5_next = difference_11 - {1'd0, skipped_set[5]};
-    wire [1:0] difference_12 = (outstanding_4 + {1'd0, reached_set[4]}) - {1'd0, leaf_done_set[4]};
-    wire [1:0] outstanding_4_next = difference_12 - {1'd0, skipped_set[4]};
-    wire [1:0] difference_13 = (outstanding_3 + {1'd0, reached_set[3]}) - {1'd0, leaf_done_set[3]};
-    wire [1:0] outstanding_3_next = difference_13 - {1'd0, skipped_set[3]};
-    wire [1:0] difference_14 = (outstanding_2 + {1'd0, reached_set[2]}) - {1'd0, leaf_done_set[2]};
-    wire [1:0] outstanding_2_next = difference_14 - {1'd0, skipped_set[2]};
-    wire [1:0] difference_15 = (outstanding_1 + {1'd0, reached_set[1]}) - {1'd0, leaf_done_set[1]};
-    wire [1:0] outstanding_1_next = difference_15 - {1'd0, skipped_set[1]};
-    wire [1:0] difference_16 = (outstanding_0 + {1'd0, reached_set[0]}) - {1'd0, leaf_done_set[0]};
-    wire [1:0] outstanding_0_next = difference_16 - {1'd0, skipped_set[0]};
-    wire [15:0] joined_17 = {
+    wire [1:0] outstanding_15_next_difference = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
+    wire [1:0] outstanding_15_next = outstanding_15_next_difference - {1'd0, skipped_set[15]};
+    wire [1:0] outstanding_14_next_difference = (outstanding_14 + {1'd0, reached_set[14]}) - {1'd0, leaf_done_set[14]};
+    wire [1:0] outstanding_14_next = outstanding_14_next_difference - {1'd0, skipped_set[14]};
+    wire [1:0] outstanding_13_next_difference = (outstanding_13 + {1'd0, reached_set[13]}) - {1'd0, leaf_done_set[13]};
+    wire [1:0] outstanding_13_next = outstanding_13_next_difference - {1'd0, skipped_set[13]};
+    wire [1:0] outstanding_12_next_difference = (outstanding_12 + {1'd0, reached_set[12]}) - {1'd0, leaf_done_set[12]};
+    wire [1:0] outstanding_12_next = outstanding_12_next_difference - {1'd0, skipped_set[12]};
+    wire [1:0] outstanding_11_next_difference = (outstanding_11 + {1'd0, reached_set[11]}) - {1'd0, leaf_done_set[11]};
+    wire [1:0] outstanding_11_next = outstanding_11_next_difference - {1'd0, skipped_set[11]};
+    wire [1:0] outstanding_10_next_difference = (outstanding_10 + {1'd0, reached_set[10]}) - {1'd0, leaf_done_set[10]};
+    wire [1:0] outstanding_10_next = outstanding_10_next_difference - {1'd0, skipped_set[10]};
+    wire [1:0] outstanding_9_next_difference = (outstanding_9 + {1'd0, reached_set[9]}) - {1'd0, leaf_done_set[9]};
+    wire [1:0] outstanding_9_next = outstanding_9_next_difference - {1'd0, skipped_set[9]};
+    wire [1:0] outstanding_8_next_difference = (outstanding_8 + {1'd0, reached_set[8]}) - {1'd0, leaf_done_set[8]};
+    wire [1:0] outstanding_8_next = outstanding_8_next_difference - {1'd0, skipped_set[8]};
+    wire [1:0] outstanding_7_next_difference = (outstanding_7 + {1'd0, reached_set[7]}) - {1'd0, leaf_done_set[7]};
+    wire [1:0] outstanding_7_next = outstanding_7_next_difference - {1'd0, skipped_set[7]};
+    wire [1:0] outstanding_6_next_difference = (outstanding_6 + {1'd0, reached_set[6]}) - {1'd0, leaf_done_set[6]};
+    wire [1:0] outstanding_6_next = outstanding_6_next_difference - {1'd0, skipped_set[6]};
+    wire [1:0] outstanding_5_next_difference = (outstanding_5 + {1'd0, reached_set[5]}) - {1'd0, leaf_done_set[5]};
+    wire [1:0] outstanding_5_next = outstanding_5_next_difference - {1'd0, skipped_set[5]};
+    wire [1:0] outstanding_4_next_difference = (outstanding_4 + {1'd0, reached_set[4]}) - {1'd0, leaf_done_set[4]};
+    wire [1:0] outstanding_4_next = outstanding_4_next_difference - {1'd0, skipped_set[4]};
+    wire [1:0] outstanding_3_next_difference = (outstanding_3 + {1'd0, reached_set[3]}) - {1'd0, leaf_done_set[3]};
+    wire [1:0] outstanding_3_next = outstanding_3_next_difference - {1'd0, skipped_set[3]};
+    wire [1:0] outstanding_2_next_difference = (outstanding_2 + {1'd0, reached_set[2]}) - {1'd0, leaf_done_set[2]};
+    wire [1:0] outstanding_2_next = outstanding_2_next_difference - {1'd0, skipped_set[2]};
+    wire [1:0] outstanding_1_next_difference = (outstanding_1 + {1'd0, reached_set[1]}) - {1'd0, leaf_done_set[1]};
+    wire [1:0] outstanding_1_next = outstanding_1_next_difference - {1'd0, skipped_set[1]};
+    wire [1:0] outstanding_0_next_difference = (outstanding_0 + {1'd0, reached_set[0]}) - {1'd0, leaf_done_set[0]};
+    wire [1:0] outstanding_0_next = outstanding_0_next_difference - {1'd0, skipped_set[0]};
+    wire [15:0] waiting_bits = {
         outstanding_15_next < 2'd2, outstanding_14_next < 2'd2, outstanding_13_next < 2'd2,
         outstanding_12_next < 2'd2, outstanding_11_next < 2'd2, outstanding_10_next < 2'd2,
         outstanding_9_next < 2'd2, outstanding_8_next < 2'd2, outstanding_7_next < 2'd2,
@@ -3562,7 +3451,7 @@ module search_threads (
     wire [15:0] first_pop = pop_from_next ? (pop_next & ~pop_below_next) : (wants_pop & ~pop_below_any);
     wire pop_advance = pop_ready | ~pop_shown;
     wire [15:0] granted_pop = first_pop & {16{pop_advance}};
-    wire [15:0] term_18 = (wants_pop & ~granted_pop) | ((reached_set & joined_17) | (leaf_ended & waiting));
+    wire [15:0] wants_pop_either = (wants_pop & ~granted_pop) | ((reached_set & waiting_bits) | (leaf_ended & waiting));
     wire [15:0] finish_next = wants_finish & behind_finish;
     wire finish_from_next = |finish_next;
     wire [15:0] finish_below_next = finish_next - 16'd1;
@@ -3570,7 +3459,7 @@ module search_threads (
     wire [15:0] first_finish = finish_from_next ? (finish_next & ~finish_below_next) : (wants_finish & ~finish_below_any);
     wire finish_advance = finish_ready | ~finish_shown;
     wire [15:0] granted_finish = first_finish & {16{finish_advance}};
-    wire [15:0] joined_19 = {
+    wire [15:0] wants_finish_bits = {
         outstanding_15_next == 2'd0, outstanding_14_next == 2'd0, outstanding_13_next == 2'd0,
         outstanding_12_next == 2'd0, outstanding_11_next == 2'd0, outstanding_10_next == 2'd0,
         outstanding_9_next == 2'd0, outstanding_8_next == 2'd0, outstanding_7_next == 2'd0,
@@ -3578,9 +3467,9 @@ module search_threads (
         outstanding_3_next == 2'd0, outstanding_2_next == 2'd0, outstanding_1_next == 2'd0,
         outstanding_0_next == 2'd0
     };
-    wire [15:0] term_20 = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & joined_19));
-    wire [15:0] choice_21 = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
-    wire [15:0] choice_22 = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
+    wire [15:0] wants_finish_either = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & wants_finish_bits));
+    wire [15:0] behind_pop_choice = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
+    wire [15:0] behind_finish_choice = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
     assign descend_valid = descend_queue_out_valid;
     assign {descend_thread, descend_node} = descend_queue_out_data;
@@ -3596,8 +3485,8 @@ module search_threads (
     };
 
     stream_skid_w25 descend_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(start_valid), .in_ready(descend_queue_in_ready), .in_data({start_thread, 21'd1}),
+        .clk(clk), .rst(rst), .in_valid(start_valid), .in_ready(descend_queue_in_ready),
+        .in_data({start_thread, 21'd1}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
@@ -3634,10 +3523,10 @@ module search_threads (
             event_thread_wait <= 1'd0;
         end else begin
             busy <= (busy | (free & {16{take}})) & kept;
-            waiting <= ((waiting & ~leaf_ended) | (reached_set & ~joined_17)) & kept;
+            waiting <= ((waiting & ~leaf_ended) | (reached_set & ~waiting_bits)) & kept;
             exhausted <= exhausted_now & kept;
-            wants_pop <= term_18 & kept;
-            wants_finish <= term_20 & kept;
+            wants_pop <= wants_pop_either & kept;
+            wants_finish <= wants_finish_either & kept;
             start_valid <= take;
             outstanding_0 <= outstanding_0_next;
             outstanding_1 <= outstanding_1_next;
@@ -3656,12 +3545,12 @@ module search_threads (
             outstanding_14 <= outstanding_14_next;
             outstanding_15 <= outstanding_15_next;
             event_thread_wait <= query_valid & &busy;
-            if (pop_advance & |wants_pop) behind_pop <= ~choice_21;
+            if (pop_advance & |wants_pop) behind_pop <= ~behind_pop_choice;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
                 pop_shown <= |wants_pop;
             end
-            if (finish_advance & |wants_finish) behind_finish <= ~choice_22;
+            if (finish_advance & |wants_finish) behind_finish <= ~behind_finish_choice;
             if (finish_advance) begin
                 chosen_finish <= first_finish;
                 finish_shown <= |wants_finish;
@@ -3679,7 +3568,7 @@ module search_threads (
     end
 
 `ifdef RTL_ASSERT
-    wire [15:0] joined_23 = {
+    wire [15:0] check_bits = {
         leaf_ended[15] & ~(|outstanding_15 | reached_set[15]),
         leaf_ended[14] & ~(|outstanding_14 | reached_set[14]),
         leaf_ended[13] & ~(|outstanding_13 | reached_set[13]),
@@ -3698,17 +3587,14 @@ module search_threads (
         leaf_ended[0] & ~(|outstanding_0 | reached_set[0])
     };
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~(|joined_23))) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                leaves_are_reached_before_they_end: assert (0);
+        leaves_are_reached_before_they_end: assert (~(|check_bits));
 `else
-                $display("assertion failed: leaves_are_reached_before_they_end in %m");
-                $stop;
-`endif
-            end
+        if (!(~(|check_bits))) begin
+            $display("assertion failed: leaves_are_reached_before_they_end in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3716,14 +3602,9 @@ endmodule
 // Queue of two in registers.
 // width = 25
 module stream_skid_w25 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [24:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [24:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [24:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [24:0] out_data
 );
     reg second_valid;
     reg [24:0] head, second;
@@ -3749,17 +3630,14 @@ module stream_skid_w25 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -3769,8 +3647,7 @@ endmodule
 // neighbors = 32
 // tickets = 20
 module search_neighbor_cache (
-    input  wire clk,
-    input  wire rst,
+    input  wire clk, input wire rst,
     input  wire setup_valid,  // How neighborhoods are judged, not while a query is under way.
     input  wire setup_ball,  // Queries are balls, else k nearest neighbors.
     input  wire [31:0] setup_far_scale,  // Factor of the distance to the farthest neighbor.
@@ -3812,8 +3689,9 @@ module search_neighbor_cache (
 );
     (* ram_style = "distributed" *)
     reg [157:0] asked [0:7];
-    reg ball;
-    reg [31:0] far_scale, margin_scale;
+    reg ball;  // Queries are balls, else k nearest neighbors.
+    reg [31:0] far_scale;  // Factor of the distance to the farthest neighbor.
+    reg [31:0] margin_scale;  // Factor of what is left of it.
     reg [7:0] present, writing, stale, version_0, version_1, version_2, version_3, version_4, version_5, version_6;
     reg [7:0] version_7;
     reg [2:0] readers_0, readers_1, readers_2, readers_3, readers_4, readers_5, readers_6, readers_7;
@@ -3831,30 +3709,41 @@ module search_neighbor_cache (
     reg [3:0] asked_count;
     reg [2:0] asked_write_address, asked_read_address;
     reg i1_valid;
-    reg [2:0] i1_entry;
-    reg i1_last, i1_present;
-    reg [7:0] i1_version;
-    reg [31:0] i1_x, i1_y, i1_z, i1_reach;
+    reg [2:0] i1_entry;  // The entry.
+    reg i1_last;  // It is the query's last.
+    reg i1_present;  // The entry's neighborhood could be reused as it was read.
+    reg [7:0] i1_version;  // Which neighborhood of the entry's it was.
+    reg [31:0] i1_x;  // Where the query is.
+    reg [31:0] i1_y;  // Where the query is.
+    reg [31:0] i1_z;  // Where the query is.
+    reg [31:0] i1_reach;  // The radius around it within which a neighborhood must be complete.
     wire [127:0] entry_cover;
     reg j_valid, j_matches;
-    reg [2:0] j_entry;
-    reg j_last, answered, copying;
+    reg [2:0] j_entry;  // The entry.
+    reg j_last;  // It is the query's last.
+    reg answered, copying;
     reg [2:0] copy_entry;
     wire [157:0] ticket_query;
     reg [5:0] copy_rank;
     reg [31:0] copy_previous;
     reg reach_valid;
-    reg [2:0] reach_entry;
-    reg [31:0] reach_x, reach_y, reach_z, reach_far2, reach_near2;
+    reg [2:0] reach_entry;  // The entry.
+    reg [31:0] reach_x;  // Where its query is.
+    reg [31:0] reach_y;  // Where its query is.
+    reg [31:0] reach_z;  // Where its query is.
+    reg [31:0] reach_far2;  // Within this squared distance all points are known.
+    reg [31:0] reach_near2;  // Within this one lie all that are wanted.
     reg d0_valid;
-    reg [2:0] d0_entry;
-    reg [23:0] d0_number;
-    reg d0_cached;
+    reg [2:0] d0_entry;  // The entry that holds the neighbors.
+    reg [23:0] d0_number;  // The query's number.
+    reg d0_cached;  // The neighborhood is reused.
     wire [5:0] count;
     reg [5:0] d0_rank, d0_next_rank;
     reg d1_valid;
-    reg [23:0] d1_number;
-    reg d1_last, d1_found, d1_cached;
+    reg [23:0] d1_number;  // The query's number.
+    reg d1_last;  // Closes the query.
+    reg d1_found;  // There is a neighbor.
+    reg d1_cached;  // The neighborhood is reused.
     wire [55:0] neighbor;
 
     wire deliver_queue_in_ready, deliver_queue_out_valid;
@@ -3893,16 +3782,16 @@ module search_neighbor_cache (
     wire d0_reads = d0_valid & d_advance;
     wire copy_ends = copy_takes & found_queue_out_last;
     wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
-    wire term_1 = (copy_rank + 6'd1) == ticket_query[133:128];
-    wire copy_full = found_queue_out_found ? term_1 : (copy_rank == ticket_query[133:128]);
+    wire copy_full_same = (copy_rank + 6'd1) == ticket_query[133:128];
+    wire copy_full = found_queue_out_found ? copy_full_same : (copy_rank == ticket_query[133:128]);
     wire deliver_queue_out_ready = ~d0_valid;
     wire d0_takes = deliver_queue_out_ready & deliver_queue_out_valid;
     wire [2:0] deliver_queue_out_entry = deliver_queue_out_data[27:25];
     wire miss = open & (j_last & ~hit);
     wire misses = miss & search_queue_in_ready;
     wire [157:0] asked_head = asked[asked_read_address];
-    wire [7:0] joined_2 = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
-    wire [7:0] eligible = ~(joined_2 | writing);
+    wire [7:0] eligible_bits = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
+    wire [7:0] eligible = ~(eligible_bits | writing);
     wire copy_starts = found_queue_out_valid & ~copying & (|eligible & ~hits);
     wire [23:0] found_queue_out_number = found_queue_out_data[81:58];
     wire last_entry = next_entry == 3'd7;
@@ -3912,25 +3801,25 @@ module search_neighbor_cache (
     wire [7:0] before_7 = eligible & {1'd0, older_than_7};
     wire [7:0] before_6 = eligible & {~older_than_7[6], 1'd0, older_than_6};
     wire [7:0] before_5 = eligible & {~older_than_7[5], ~older_than_6[5], 1'd0, older_than_5};
-    wire [7:0] joined_3 = {~older_than_7[4], ~older_than_6[4], ~older_than_5[4], 1'd0, older_than_4};
-    wire [7:0] before_4 = eligible & joined_3;
-    wire [7:0] joined_4 = {~older_than_7[3], ~older_than_6[3], ~older_than_5[3], ~older_than_4[3], 1'd0, older_than_3};
-    wire [7:0] before_3 = eligible & joined_4;
-    wire [7:0] joined_5 = {
+    wire [7:0] before_4_bits = {~older_than_7[4], ~older_than_6[4], ~older_than_5[4], 1'd0, older_than_4};
+    wire [7:0] before_4 = eligible & before_4_bits;
+    wire [7:0] before_3_bits = {~older_than_7[3], ~older_than_6[3], ~older_than_5[3], ~older_than_4[3], 1'd0, older_than_3};
+    wire [7:0] before_3 = eligible & before_3_bits;
+    wire [7:0] before_2_bits = {
         ~older_than_7[2], ~older_than_6[2], ~older_than_5[2], ~older_than_4[2], ~older_than_3[2], 1'd0,
         older_than_2
     };
-    wire [7:0] before_2 = eligible & joined_5;
-    wire [7:0] joined_6 = {
+    wire [7:0] before_2 = eligible & before_2_bits;
+    wire [7:0] before_1_bits = {
         ~older_than_7[1], ~older_than_6[1], ~older_than_5[1], ~older_than_4[1], ~older_than_3[1],
         ~older_than_2[1], 1'd0, older_than_1
     };
-    wire [7:0] before_1 = eligible & joined_6;
-    wire [7:0] joined_7 = {
+    wire [7:0] before_1 = eligible & before_1_bits;
+    wire [7:0] before_0_bits = {
         ~older_than_7[0], ~older_than_6[0], ~older_than_5[0], ~older_than_4[0], ~older_than_3[0],
         ~older_than_2[0], ~older_than_1, 1'd0
     };
-    wire [7:0] before_0 = eligible & joined_7;
+    wire [7:0] before_0 = eligible & before_0_bits;
     wire [7:0] oldest = {
         eligible[7] & (before_7 == 8'd0), eligible[6] & (before_6 == 8'd0), eligible[5] & (before_5 == 8'd0),
         eligible[4] & (before_4 == 8'd0), eligible[3] & (before_3 == 8'd0), eligible[2] & (before_2 == 8'd0),
@@ -3969,7 +3858,7 @@ module search_neighbor_cache (
     wire [7:0] used = hit_set | start_set;
     wire [19:0] lowest_ticket = ~taken & (20'd0 - ~taken);
     wire takes_ticket = ~any_ticket | misses;
-    wire [19:0] joined_8 = {
+    wire [19:0] taken_bits = {
         copy_ends & (found_queue_out_number[4:0] == 5'd19),
         copy_ends & (found_queue_out_number[4:0] == 5'd18),
         copy_ends & (found_queue_out_number[4:0] == 5'd17),
@@ -3988,27 +3877,26 @@ module search_neighbor_cache (
     };
     wire enters = issues & first_entry;
     wire asked_pops = leaves & j_last;
-    wire [4:0] difference_9 = (under_way + {4'd0, enters}) - {4'd0, asked_pops & ~misses};
-    wire [7:0] shifted_10 = present >> next_entry;
-    wire [7:0] choice_11 = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
-    wire [7:0] choice_12 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
+    wire [7:0] present_shifted_by_next_entry = present >> next_entry;
+    wire [7:0] i1_version_choice = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
+    wire [7:0] i1_version_choice_2 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
     wire [31:0] query_queue_out_x = query_queue_out_data[127:96];
     wire [31:0] query_queue_out_y = query_queue_out_data[95:64];
     wire [31:0] query_queue_out_z = query_queue_out_data[63:32];
     wire [31:0] query_queue_out_reach = query_queue_out_data[31:0];
-    wire [7:0] shifted_13 = present >> check_out_entry;
-    wire [7:0] choice_14 = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
-    wire [7:0] choice_15 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
-    wire term_16 = check_out_version == (check_out_entry[2] ? choice_14 : choice_15);
-    wire matched = check_out_covered & (check_out_present & shifted_13[0] & term_16);
-    wire term_17 = copy_starts | copy_stores;
+    wire [7:0] matched_shifted = present >> check_out_entry;
+    wire [7:0] matched_choice = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
+    wire [7:0] matched_choice_2 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
+    wire matched_same = check_out_version == (check_out_entry[2] ? matched_choice : matched_choice_2);
+    wire matched = check_out_covered & (check_out_present & matched_shifted[0] & matched_same);
+    wire copy_starts_or_copy_stores = copy_starts | copy_stores;
     wire [31:0] found_queue_out_distance2 = found_queue_out_data[31:0];
-    wire choice_18 = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[133:128]) : term_1;
-    wire [31:0] choice_19 = found_queue_out_found ? found_queue_out_distance2 : copy_previous;
-    wire [31:0] choice_20 = copy_full ? copy_previous : choice_18 ? choice_19 : ticket_query[127:96];
+    wire reach_near2_choice = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[133:128]) : copy_full_same;
+    wire [31:0] reach_near2_choice_2 = found_queue_out_found ? found_queue_out_distance2 : copy_previous;
+    wire [31:0] reach_near2_choice_3 = copy_full ? copy_previous : reach_near2_choice ? reach_near2_choice_2 : ticket_query[127:96];
     wire [23:0] deliver_queue_out_number = deliver_queue_out_data[24:1];
     wire deliver_queue_out_cached = deliver_queue_out_data[0];
-    wire term_21 = d0_takes | d0_reads;
+    wire d0_takes_or_d0_reads = d0_takes | d0_reads;
 
     assign result_valid = result_queue_out_valid;
     assign {result_number, result_last, result_found, result_index, result_distance2, result_cached} = result_queue_out_data;
@@ -4018,42 +3906,37 @@ module search_neighbor_cache (
     assign found_ready = found_queue_in_ready;
 
     memory_1w1r #(.WIDTH(128), .DEPTH(8)) covers (
-        .clk(clk),
-        .write(judge_out_valid), .write_address(judge_out_entry),
+        .clk(clk), .write(judge_out_valid), .write_address(judge_out_entry),
         .write_data({judge_out_x, judge_out_y, judge_out_z, judge_out_c}),
         .read(issues), .read_address(next_entry), .read_data(entry_cover)
     );
 
     memory_1w1r_unordered #(.WIDTH(56), .DEPTH(256)) neighborhoods (
-        .clk(clk),
-        .write(copy_stores), .write_address({copy_entry, copy_rank[4:0]}),
+        .clk(clk), .write(copy_stores), .write_address({copy_entry, copy_rank[4:0]}),
         .write_data(found_queue_out_data[55:0]),
         .read(d0_reads), .read_address({d0_entry, d0_rank[4:0]}), .read_data(neighbor)
     );
 
     memory_1w1r #(.WIDTH(6), .DEPTH(8)) counts (
-        .clk(clk),
-        .write(copy_ends), .write_address(copy_entry), .write_data(copy_total - {5'd0, copy_full & ~ball}),
+        .clk(clk), .write(copy_ends), .write_address(copy_entry),
+        .write_data(copy_total - {5'd0, copy_full & ~ball}),
         .read(d0_takes), .read_address(deliver_queue_out_entry), .read_data(count)
     );
 
     memory_1w1r #(.WIDTH(158), .DEPTH(32)) tickets (
-        .clk(clk),
-        .write(misses), .write_address(next_ticket), .write_data(asked_head),
+        .clk(clk), .write(misses), .write_address(next_ticket), .write_data(asked_head),
         .read(copy_starts), .read_address(found_queue_out_number[4:0]), .read_data(ticket_query)
     );
 
     stream_fifo_d4_w28 deliver_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(hits | copy_ends), .in_ready(deliver_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(hits | copy_ends), .in_ready(deliver_queue_in_ready),
         .in_data({hits ? j_entry : copy_entry, hits ? asked_head[157:134] : ticket_query[157:134], hits}),
         .out_valid(deliver_queue_out_valid), .out_ready(deliver_queue_out_ready),
         .out_data(deliver_queue_out_data)
     );
 
     stream_skid_w83 result_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(d1_valid & result_queue_in_ready), .in_ready(result_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(d1_valid & result_queue_in_ready), .in_ready(result_queue_in_ready),
         .in_data({
             d1_number, d1_last, d1_found, d1_found ? neighbor[55:32] : 24'd0, d1_found ? neighbor[31:0] : 32'd0,
             d1_cached
@@ -4062,17 +3945,15 @@ module search_neighbor_cache (
     );
 
     stream_skid_w190 query_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(query_valid), .in_ready(query_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(query_queue_in_ready),
         .in_data({query_number, query_k, query_radius2, query_x, query_y, query_z, query_reach}),
         .out_valid(query_queue_out_valid), .out_ready(query_queue_out_ready), .out_data(query_queue_out_data)
     );
 
     search_check check (
-        .clk(clk), .rst(rst),
-        .in_valid(i1_valid), .in_ready(check_in_ready), .in_entry(i1_entry), .in_last(i1_last),
-        .in_present(i1_present), .in_version(i1_version), .in_x(i1_x), .in_y(i1_y), .in_z(i1_z),
-        .in_reach(i1_reach), .in_entry_x(entry_cover[127:96]), .in_entry_y(entry_cover[95:64]),
+        .clk(clk), .rst(rst), .in_valid(i1_valid), .in_ready(check_in_ready), .in_entry(i1_entry),
+        .in_last(i1_last), .in_present(i1_present), .in_version(i1_version), .in_x(i1_x), .in_y(i1_y),
+        .in_z(i1_z), .in_reach(i1_reach), .in_entry_x(entry_cover[127:96]), .in_entry_y(entry_cover[95:64]),
         .in_entry_z(entry_cover[63:32]), .in_entry_c(entry_cover[31:0]),
         .margin_scale(margin_scale),
         .out_valid(check_out_valid), .out_ready(j_advance), .out_entry(check_out_entry),
@@ -4081,23 +3962,20 @@ module search_neighbor_cache (
     );
 
     stream_skid_w158 search_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(misses), .in_ready(search_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(misses), .in_ready(search_queue_in_ready),
         .in_data({19'd0, next_ticket, asked_head[133:0]}),
         .out_valid(search_queue_out_valid), .out_ready(search_ready), .out_data(search_queue_out_data)
     );
 
     stream_skid_w82 found_queue (
-        .clk(clk), .rst(rst),
-        .in_valid(found_valid), .in_ready(found_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(found_valid), .in_ready(found_queue_in_ready),
         .in_data({found_number, found_last, found_found, found_index, found_distance2}),
         .out_valid(found_queue_out_valid), .out_ready(copy_ready), .out_data(found_queue_out_data)
     );
 
     search_cover judge (
-        .clk(clk), .rst(rst),
-        .in_valid(reach_valid), .in_ready(judge_in_ready), .in_entry(reach_entry), .in_x(reach_x),
-        .in_y(reach_y), .in_z(reach_z), .in_far2(reach_far2), .in_near2(reach_near2),
+        .clk(clk), .rst(rst), .in_valid(reach_valid), .in_ready(judge_in_ready), .in_entry(reach_entry),
+        .in_x(reach_x), .in_y(reach_y), .in_z(reach_z), .in_far2(reach_far2), .in_near2(reach_near2),
         .far_scale(far_scale),
         .out_valid(judge_out_valid), .out_ready(1'd1), .out_entry(judge_out_entry), .out_x(judge_out_x),
         .out_y(judge_out_y), .out_z(judge_out_z), .out_c(judge_out_c)
@@ -4166,8 +4044,8 @@ module search_neighbor_cache (
             older_than_5 <= used[5] ? 5'd31 : (older_than_5 & ~used[4:0]);
             older_than_6 <= used[6] ? 6'd63 : (older_than_6 & ~used[5:0]);
             older_than_7 <= used[7] ? 7'd127 : (older_than_7 & ~used[6:0]);
-            taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~joined_8;
-            under_way <= difference_9 - {4'd0, copy_ends};
+            taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~taken_bits;
+            under_way <= ((under_way + {4'd0, enters}) - {4'd0, asked_pops & ~misses}) - {4'd0, copy_ends};
             asked_count <= (asked_count + {3'd0, enters}) - {3'd0, asked_pops};
             answered <= (answered | hits) & ~asked_pops;
             event_cache_hit <= hits;
@@ -4207,8 +4085,8 @@ module search_neighbor_cache (
         if (issues) begin
             i1_entry <= next_entry;
             i1_last <= last_entry;
-            i1_present <= shifted_10[0];
-            i1_version <= next_entry[2] ? choice_11 : choice_12;
+            i1_present <= present_shifted_by_next_entry[0];
+            i1_version <= next_entry[2] ? i1_version_choice : i1_version_choice_2;
             i1_x <= query_queue_out_x;
             i1_y <= query_queue_out_y;
             i1_z <= query_queue_out_z;
@@ -4220,13 +4098,13 @@ module search_neighbor_cache (
         reach_y <= ticket_query[63:32];
         reach_z <= ticket_query[31:0];
         reach_far2 <= copy_full ? found_queue_out_distance2 : ticket_query[127:96];
-        reach_near2 <= ball ? 32'd0 : choice_20;
+        reach_near2 <= ball ? 32'd0 : reach_near2_choice_3;
         if (j_advance) begin
             j_entry <= check_out_entry;
             j_last <= check_out_last;
         end
         if (copy_starts) copy_entry <= victim;
-        if (term_17) begin
+        if (copy_starts_or_copy_stores) begin
             copy_rank <= copy_starts ? 6'd0 : copy_total;
             copy_previous <= copy_starts ? 32'd0 : found_queue_out_distance2;
         end
@@ -4235,7 +4113,7 @@ module search_neighbor_cache (
             d0_number <= deliver_queue_out_number;
             d0_cached <= deliver_queue_out_cached;
         end
-        if (term_21) begin
+        if (d0_takes_or_d0_reads) begin
             d0_rank <= d0_takes ? 6'd0 : d0_next_rank;
             d0_next_rank <= d0_takes ? 6'd1 : (d0_next_rank + 6'd1);
         end
@@ -4246,57 +4124,43 @@ module search_neighbor_cache (
             d1_cached <= d0_cached;
         end
     end
-    always @(posedge clk) begin
-        if (enters) asked[asked_write_address] <= query_queue_out_data[189:32];
-    end
+    always @(posedge clk) if (enters) asked[asked_write_address] <= query_queue_out_data[189:32];
 
-    wire _unused = &{1'b0, d0_rank[5], found_queue_out_number[23:5], judge_in_ready, shifted_10[7:1], shifted_13[7:1]};
+    wire _unused = &{
+        1'b0, d0_rank[5], found_queue_out_number[23:5], judge_in_ready, matched_shifted[7:1],
+        present_shifted_by_next_entry[7:1]
+    };
 
 `ifdef RTL_ASSERT
-    wire [7:0] shifted_22 = present >> j_entry;
-    wire term_23 = ((readers_0 == 3'd0) & release_set[0]) | ((readers_1 == 3'd0) & release_set[1]);
-    wire term_24 = term_23 | ((readers_2 == 3'd0) & release_set[2]) | ((readers_3 == 3'd0) & release_set[3]);
-    wire term_25 = term_24 | ((readers_4 == 3'd0) & release_set[4]) | ((readers_5 == 3'd0) & release_set[5]);
-    wire term_26 = term_25 | ((readers_6 == 3'd0) & release_set[6]) | ((readers_7 == 3'd0) & release_set[7]);
+    wire [7:0] present_shifted_by_j_entry = present >> j_entry;
+    wire check_either = ((readers_0 == 3'd0) & release_set[0]) | ((readers_1 == 3'd0) & release_set[1]);
+    wire check_either_2 = check_either | ((readers_2 == 3'd0) & release_set[2]) | ((readers_3 == 3'd0) & release_set[3]);
+    wire check_either_3 = check_either_2 | ((readers_4 == 3'd0) & release_set[4]) | ((readers_5 == 3'd0) & release_set[5]);
+    wire check_either_4 = check_either_3 | ((readers_6 == 3'd0) & release_set[6]) | ((readers_7 == 3'd0) & release_set[7]);
 
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(~j_valid | |asked_count)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                a_comparison_has_its_query: assert (0);
+        a_comparison_has_its_query: assert (~j_valid | |asked_count);
+        a_hit_is_present: assert (~hits | present_shifted_by_j_entry[0]);
+        a_miss_has_a_ticket: assert (~misses | any_ticket);
+        released_entries_have_readers: assert (~check_either_4);
 `else
-                $display("assertion failed: a_comparison_has_its_query in %m");
-                $stop;
-`endif
-            end
-            if (!(~hits | shifted_22[0])) begin
-`ifdef FORMAL
-                a_hit_is_present: assert (0);
-`else
-                $display("assertion failed: a_hit_is_present in %m");
-                $stop;
-`endif
-            end
-            if (!(~misses | any_ticket)) begin
-`ifdef FORMAL
-                a_miss_has_a_ticket: assert (0);
-`else
-                $display("assertion failed: a_miss_has_a_ticket in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_26)) begin
-`ifdef FORMAL
-                released_entries_have_readers: assert (0);
-`else
-                $display("assertion failed: released_entries_have_readers in %m");
-                $stop;
-`endif
-            end
+        if (!(~j_valid | |asked_count)) begin
+            $display("assertion failed: a_comparison_has_its_query in %m"); $stop;
         end
+        if (!(~hits | present_shifted_by_j_entry[0])) begin
+            $display("assertion failed: a_hit_is_present in %m"); $stop;
+        end
+        if (!(~misses | any_ticket)) begin
+            $display("assertion failed: a_miss_has_a_ticket in %m"); $stop;
+        end
+        if (!(~check_either_4)) begin
+            $display("assertion failed: released_entries_have_readers in %m"); $stop;
+        end
+`endif
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_22[7:1]};
+    wire _unused_by_checks = &{1'b0, present_shifted_by_j_entry[7:1]};
 `endif
 endmodule
 
@@ -4304,24 +4168,13 @@ endmodule
 // latency = 37
 // initiation_interval = 1
 module search_cover (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [2:0] in_entry,
-    input  wire [31:0] in_x,
-    input  wire [31:0] in_y,
-    input  wire [31:0] in_z,
-    input  wire [31:0] in_far2,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [2:0] in_entry, input wire [31:0] in_x,
+    input  wire [31:0] in_y, input wire [31:0] in_z, input wire [31:0] in_far2,
     input  wire [31:0] in_near2,
     input  wire [31:0] far_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [2:0] out_entry,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z,
-    output wire [31:0] out_c
+    output wire out_valid, input wire out_ready, output wire [2:0] out_entry, output wire [31:0] out_x,
+    output wire [31:0] out_y, output wire [31:0] out_z, output wire [31:0] out_c
 );
     (* ram_style = "distributed" *)
     reg [31:0] delay_5_from_0 [0:3];
@@ -4337,17 +4190,18 @@ module search_cover (
     wire [130:0] queue_out_data;
     wire [31:0] sqrt_f32_ftz_unit_y, sqrt_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, add_f32_ftz_unit_y;
 
+    wire [2:0] entry_d37 = delay_37_from_0_out[2:0];
+    wire [31:0] x_d37 = delay_37_from_0_out[34:3];
+    wire [31:0] y_d37 = delay_37_from_0_out[66:35];
+    wire [31:0] z_d37 = delay_37_from_0_out[98:67];
+
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_entry, out_x, out_y, out_z, out_c} = queue_out_data;
 
     stream_skid_w131 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[36]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_37_from_0_out[2:0], delay_37_from_0_out[34:3], delay_37_from_0_out[66:35],
-            delay_37_from_0_out[98:67], add_f32_ftz_unit_y
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[36]), .in_ready(queue_in_ready),
+        .in_data({entry_d37, x_d37, y_d37, z_d37, add_f32_ftz_unit_y}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -4395,9 +4249,7 @@ endmodule
 // stages = 26
 // format = f32-ftz
 module float_sqrt_s26_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
+    input  wire clk, input wire enable, input wire [31:0] a,
     output reg  [31:0] y
 );
     reg [2:0] remainder_s1;
@@ -4478,102 +4330,102 @@ module float_sqrt_s26_f32ftz (
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
-    wire [22:0] term_1 = a_fraction & {23{|a_field}};
-    wire [24:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
-    wire [1:0] difference_3 = choice_2[24:23] - 2'd1;
-    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[22:21]} - 5'd5;
-    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[20:19]} - {2'd0, root_s1, 2'd1};
-    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[18:17]} - {2'd0, root_s2, 2'd1};
-    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[16:15]} - {2'd0, root_s3, 2'd1};
-    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[14:13]} - {2'd0, root_s4, 2'd1};
-    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[12:11]} - {2'd0, root_s5, 2'd1};
-    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[10:9]} - {2'd0, root_s6, 2'd1};
-    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7[8:7]} - {2'd0, root_s7, 2'd1};
-    wire [12:0] difference_12 = {1'd0, remainder_s8, pending_s8[6:5]} - {2'd0, root_s8, 2'd1};
-    wire [13:0] difference_13 = {1'd0, remainder_s9, pending_s9[4:3]} - {2'd0, root_s9, 2'd1};
-    wire [14:0] difference_14 = {1'd0, remainder_s10, pending_s10[2:1]} - {2'd0, root_s10, 2'd1};
-    wire [15:0] difference_15 = {1'd0, remainder_s11, pending_s11, 1'd0} - {2'd0, root_s11, 2'd1};
-    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
-    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
-    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
-    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
-    wire [20:0] difference_20 = {1'd0, remainder_s16, 2'd0} - {2'd0, root_s16, 2'd1};
-    wire [21:0] difference_21 = {1'd0, remainder_s17, 2'd0} - {2'd0, root_s17, 2'd1};
-    wire [22:0] difference_22 = {1'd0, remainder_s18, 2'd0} - {2'd0, root_s18, 2'd1};
-    wire [23:0] difference_23 = {1'd0, remainder_s19, 2'd0} - {2'd0, root_s19, 2'd1};
-    wire [24:0] difference_24 = {1'd0, remainder_s20, 2'd0} - {2'd0, root_s20, 2'd1};
-    wire [25:0] difference_25 = {1'd0, remainder_s21, 2'd0} - {2'd0, root_s21, 2'd1};
-    wire [26:0] difference_26 = {1'd0, remainder_s22, 2'd0} - {2'd0, root_s22, 2'd1};
-    wire [27:0] difference_27 = {1'd0, remainder_s23, 2'd0} - {2'd0, root_s23, 2'd1};
-    wire [9:0] sum_28 = {2'd0, a_field} + 10'd127;
-    wire term_29 = (exponent_s25 == 10'd0) & ~(&significand_s25[24:2] & significand_s25[1]);
-    wire term_30 = infinite_s25 | (~exponent_s25[9] & (10'd255 <= exponent_s25));
+    wire [22:0] remainder_s1_both = a_fraction & {23{|a_field}};
+    wire [24:0] remainder_s1_choice = ~a_field[0] ? {|a_field, remainder_s1_both, 1'd0} : {1'd0, |a_field, remainder_s1_both};
+    wire [1:0] remainder_s1_difference = remainder_s1_choice[24:23] - 2'd1;
+    wire [4:0] remainder_s1_difference_2 = {1'd0, remainder_s1_difference, remainder_s1_choice[22:21]} - 5'd5;
+    wire [5:0] remainder_s2_difference = {1'd0, remainder_s1, pending_s1[20:19]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] remainder_s3_difference = {1'd0, remainder_s2, pending_s2[18:17]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] remainder_s4_difference = {1'd0, remainder_s3, pending_s3[16:15]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] remainder_s5_difference = {1'd0, remainder_s4, pending_s4[14:13]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] remainder_s6_difference = {1'd0, remainder_s5, pending_s5[12:11]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] remainder_s7_difference = {1'd0, remainder_s6, pending_s6[10:9]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] remainder_s8_difference = {1'd0, remainder_s7, pending_s7[8:7]} - {2'd0, root_s7, 2'd1};
+    wire [12:0] remainder_s9_difference = {1'd0, remainder_s8, pending_s8[6:5]} - {2'd0, root_s8, 2'd1};
+    wire [13:0] remainder_s10_difference = {1'd0, remainder_s9, pending_s9[4:3]} - {2'd0, root_s9, 2'd1};
+    wire [14:0] remainder_s11_difference = {1'd0, remainder_s10, pending_s10[2:1]} - {2'd0, root_s10, 2'd1};
+    wire [15:0] remainder_s12_difference = {1'd0, remainder_s11, pending_s11, 1'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] remainder_s13_difference = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] remainder_s14_difference = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] remainder_s15_difference = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] remainder_s16_difference = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [20:0] remainder_s17_difference = {1'd0, remainder_s16, 2'd0} - {2'd0, root_s16, 2'd1};
+    wire [21:0] remainder_s18_difference = {1'd0, remainder_s17, 2'd0} - {2'd0, root_s17, 2'd1};
+    wire [22:0] remainder_s19_difference = {1'd0, remainder_s18, 2'd0} - {2'd0, root_s18, 2'd1};
+    wire [23:0] remainder_s20_difference = {1'd0, remainder_s19, 2'd0} - {2'd0, root_s19, 2'd1};
+    wire [24:0] remainder_s21_difference = {1'd0, remainder_s20, 2'd0} - {2'd0, root_s20, 2'd1};
+    wire [25:0] remainder_s22_difference = {1'd0, remainder_s21, 2'd0} - {2'd0, root_s21, 2'd1};
+    wire [26:0] remainder_s23_difference = {1'd0, remainder_s22, 2'd0} - {2'd0, root_s22, 2'd1};
+    wire [27:0] remainder_s24_difference = {1'd0, remainder_s23, 2'd0} - {2'd0, root_s23, 2'd1};
+    wire [9:0] a_field_plus_127 = {2'd0, a_field} + 10'd127;
+    wire y_both = (exponent_s25 == 10'd0) & ~(&significand_s25[24:2] & significand_s25[1]);
     wire round_up = significand_s25[1] & (significand_s25[0] | significand_s25[2]);
     wire [30:0] rounded = {exponent_s25[7:0], significand_s25[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_31 = (zero_s25 | ((exponent_s25[9] | term_29) & ~infinite_s25)) ? 31'd0 : term_30 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s25 | (~exponent_s25[9] & (10'd255 <= exponent_s25))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s25 | ((exponent_s25[9] | y_both) & ~infinite_s25)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[22:21]};
-            root_s1 <= {1'd1, ~difference_4[4]};
-            pending_s1 <= choice_2[20:0];
-            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[20:19]};
-            root_s2 <= {root_s1, ~difference_5[5]};
+            remainder_s1 <= ~remainder_s1_difference_2[4] ? remainder_s1_difference_2[2:0] : {remainder_s1_difference[0], remainder_s1_choice[22:21]};
+            root_s1 <= {1'd1, ~remainder_s1_difference_2[4]};
+            pending_s1 <= remainder_s1_choice[20:0];
+            remainder_s2 <= ~remainder_s2_difference[5] ? remainder_s2_difference[3:0] : {remainder_s1[1:0], pending_s1[20:19]};
+            root_s2 <= {root_s1, ~remainder_s2_difference[5]};
             pending_s2 <= pending_s1[18:0];
-            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[18:17]};
-            root_s3 <= {root_s2, ~difference_6[6]};
+            remainder_s3 <= ~remainder_s3_difference[6] ? remainder_s3_difference[4:0] : {remainder_s2[2:0], pending_s2[18:17]};
+            root_s3 <= {root_s2, ~remainder_s3_difference[6]};
             pending_s3 <= pending_s2[16:0];
-            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[16:15]};
-            root_s4 <= {root_s3, ~difference_7[7]};
+            remainder_s4 <= ~remainder_s4_difference[7] ? remainder_s4_difference[5:0] : {remainder_s3[3:0], pending_s3[16:15]};
+            root_s4 <= {root_s3, ~remainder_s4_difference[7]};
             pending_s4 <= pending_s3[14:0];
-            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[14:13]};
-            root_s5 <= {root_s4, ~difference_8[8]};
+            remainder_s5 <= ~remainder_s5_difference[8] ? remainder_s5_difference[6:0] : {remainder_s4[4:0], pending_s4[14:13]};
+            root_s5 <= {root_s4, ~remainder_s5_difference[8]};
             pending_s5 <= pending_s4[12:0];
-            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[12:11]};
-            root_s6 <= {root_s5, ~difference_9[9]};
+            remainder_s6 <= ~remainder_s6_difference[9] ? remainder_s6_difference[7:0] : {remainder_s5[5:0], pending_s5[12:11]};
+            root_s6 <= {root_s5, ~remainder_s6_difference[9]};
             pending_s6 <= pending_s5[10:0];
-            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[10:9]};
-            root_s7 <= {root_s6, ~difference_10[10]};
+            remainder_s7 <= ~remainder_s7_difference[10] ? remainder_s7_difference[8:0] : {remainder_s6[6:0], pending_s6[10:9]};
+            root_s7 <= {root_s6, ~remainder_s7_difference[10]};
             pending_s7 <= pending_s6[8:0];
-            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7[8:7]};
-            root_s8 <= {root_s7, ~difference_11[11]};
+            remainder_s8 <= ~remainder_s8_difference[11] ? remainder_s8_difference[9:0] : {remainder_s7[7:0], pending_s7[8:7]};
+            root_s8 <= {root_s7, ~remainder_s8_difference[11]};
             pending_s8 <= pending_s7[6:0];
-            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], pending_s8[6:5]};
-            root_s9 <= {root_s8, ~difference_12[12]};
+            remainder_s9 <= ~remainder_s9_difference[12] ? remainder_s9_difference[10:0] : {remainder_s8[8:0], pending_s8[6:5]};
+            root_s9 <= {root_s8, ~remainder_s9_difference[12]};
             pending_s9 <= pending_s8[4:0];
-            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], pending_s9[4:3]};
-            root_s10 <= {root_s9, ~difference_13[13]};
+            remainder_s10 <= ~remainder_s10_difference[13] ? remainder_s10_difference[11:0] : {remainder_s9[9:0], pending_s9[4:3]};
+            root_s10 <= {root_s9, ~remainder_s10_difference[13]};
             pending_s10 <= pending_s9[2:0];
-            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], pending_s10[2:1]};
-            root_s11 <= {root_s10, ~difference_14[14]};
+            remainder_s11 <= ~remainder_s11_difference[14] ? remainder_s11_difference[12:0] : {remainder_s10[10:0], pending_s10[2:1]};
+            root_s11 <= {root_s10, ~remainder_s11_difference[14]};
             pending_s11 <= pending_s10[0];
-            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], pending_s11, 1'd0};
-            root_s12 <= {root_s11, ~difference_15[15]};
-            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
-            root_s13 <= {root_s12, ~difference_16[16]};
-            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
-            root_s14 <= {root_s13, ~difference_17[17]};
-            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
-            root_s15 <= {root_s14, ~difference_18[18]};
-            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
-            root_s16 <= {root_s15, ~difference_19[19]};
-            remainder_s17 <= ~difference_20[20] ? difference_20[18:0] : {remainder_s16[16:0], 2'd0};
-            root_s17 <= {root_s16, ~difference_20[20]};
-            remainder_s18 <= ~difference_21[21] ? difference_21[19:0] : {remainder_s17[17:0], 2'd0};
-            root_s18 <= {root_s17, ~difference_21[21]};
-            remainder_s19 <= ~difference_22[22] ? difference_22[20:0] : {remainder_s18[18:0], 2'd0};
-            root_s19 <= {root_s18, ~difference_22[22]};
-            remainder_s20 <= ~difference_23[23] ? difference_23[21:0] : {remainder_s19[19:0], 2'd0};
-            root_s20 <= {root_s19, ~difference_23[23]};
-            remainder_s21 <= ~difference_24[24] ? difference_24[22:0] : {remainder_s20[20:0], 2'd0};
-            root_s21 <= {root_s20, ~difference_24[24]};
-            remainder_s22 <= ~difference_25[25] ? difference_25[23:0] : {remainder_s21[21:0], 2'd0};
-            root_s22 <= {root_s21, ~difference_25[25]};
-            remainder_s23 <= ~difference_26[26] ? difference_26[24:0] : {remainder_s22[22:0], 2'd0};
-            root_s23 <= {root_s22, ~difference_26[26]};
-            remainder_s24 <= ~difference_27[27] ? difference_27[25:0] : {remainder_s23[23:0], 2'd0};
-            root_s24 <= {root_s23, ~difference_27[27]};
-            exponent_s1 <= {sum_28[9], sum_28[9:1]};
+            remainder_s12 <= ~remainder_s12_difference[15] ? remainder_s12_difference[13:0] : {remainder_s11[11:0], pending_s11, 1'd0};
+            root_s12 <= {root_s11, ~remainder_s12_difference[15]};
+            remainder_s13 <= ~remainder_s13_difference[16] ? remainder_s13_difference[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~remainder_s13_difference[16]};
+            remainder_s14 <= ~remainder_s14_difference[17] ? remainder_s14_difference[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~remainder_s14_difference[17]};
+            remainder_s15 <= ~remainder_s15_difference[18] ? remainder_s15_difference[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~remainder_s15_difference[18]};
+            remainder_s16 <= ~remainder_s16_difference[19] ? remainder_s16_difference[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~remainder_s16_difference[19]};
+            remainder_s17 <= ~remainder_s17_difference[20] ? remainder_s17_difference[18:0] : {remainder_s16[16:0], 2'd0};
+            root_s17 <= {root_s16, ~remainder_s17_difference[20]};
+            remainder_s18 <= ~remainder_s18_difference[21] ? remainder_s18_difference[19:0] : {remainder_s17[17:0], 2'd0};
+            root_s18 <= {root_s17, ~remainder_s18_difference[21]};
+            remainder_s19 <= ~remainder_s19_difference[22] ? remainder_s19_difference[20:0] : {remainder_s18[18:0], 2'd0};
+            root_s19 <= {root_s18, ~remainder_s19_difference[22]};
+            remainder_s20 <= ~remainder_s20_difference[23] ? remainder_s20_difference[21:0] : {remainder_s19[19:0], 2'd0};
+            root_s20 <= {root_s19, ~remainder_s20_difference[23]};
+            remainder_s21 <= ~remainder_s21_difference[24] ? remainder_s21_difference[22:0] : {remainder_s20[20:0], 2'd0};
+            root_s21 <= {root_s20, ~remainder_s21_difference[24]};
+            remainder_s22 <= ~remainder_s22_difference[25] ? remainder_s22_difference[23:0] : {remainder_s21[21:0], 2'd0};
+            root_s22 <= {root_s21, ~remainder_s22_difference[25]};
+            remainder_s23 <= ~remainder_s23_difference[26] ? remainder_s23_difference[24:0] : {remainder_s22[22:0], 2'd0};
+            root_s23 <= {root_s22, ~remainder_s23_difference[26]};
+            remainder_s24 <= ~remainder_s24_difference[27] ? remainder_s24_difference[25:0] : {remainder_s23[23:0], 2'd0};
+            root_s24 <= {root_s23, ~remainder_s24_difference[27]};
+            exponent_s1 <= {a_field_plus_127[9], a_field_plus_127[9:1]};
             exponent_s2 <= exponent_s1;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3;
@@ -4699,30 +4551,29 @@ module float_sqrt_s26_f32ftz (
             zero_s23 <= zero_s22;
             zero_s24 <= zero_s23;
             zero_s25 <= zero_s24;
-            y <= nan_s25 ? 32'h7fc00000 : {sign_s25, choice_31};
+            y <= nan_s25 ? 32'h7fc00000 : {sign_s25, y_choice_2};
         end
     end
 
     wire _unused = &{
-        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
-        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
-        difference_20[19], difference_21[20], difference_22[21], difference_23[22], difference_24[23],
-        difference_25[24], difference_26[25], difference_27[26], difference_4[3], difference_5[4],
-        difference_6[5], difference_7[6], difference_8[7], difference_9[8], significand_s25[25], sum_28[0]
+        1'b0, a_field_plus_127[0], remainder_s10_difference[12], remainder_s11_difference[13],
+        remainder_s12_difference[14], remainder_s13_difference[15], remainder_s14_difference[16],
+        remainder_s15_difference[17], remainder_s16_difference[18], remainder_s17_difference[19],
+        remainder_s18_difference[20], remainder_s19_difference[21], remainder_s1_difference_2[3],
+        remainder_s20_difference[22], remainder_s21_difference[23], remainder_s22_difference[24],
+        remainder_s23_difference[25], remainder_s24_difference[26], remainder_s2_difference[4],
+        remainder_s3_difference[5], remainder_s4_difference[6], remainder_s5_difference[7],
+        remainder_s6_difference[8], remainder_s7_difference[9], remainder_s8_difference[10],
+        remainder_s9_difference[11], significand_s25[25]
     };
 endmodule
 
 // Queue of two in registers.
 // width = 131
 module stream_skid_w131 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [130:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [130:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [130:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [130:0] out_data
 );
     reg second_valid;
     reg [130:0] head, second;
@@ -4748,17 +4599,14 @@ module stream_skid_w131 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4766,14 +4614,9 @@ endmodule
 // Queue of two in registers.
 // width = 82
 module stream_skid_w82 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [81:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [81:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [81:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [81:0] out_data
 );
     reg second_valid;
     reg [81:0] head, second;
@@ -4799,17 +4642,14 @@ module stream_skid_w82 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4817,14 +4657,9 @@ endmodule
 // Queue of two in registers.
 // width = 158
 module stream_skid_w158 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [157:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [157:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [157:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [157:0] out_data
 );
     reg second_valid;
     reg [157:0] head, second;
@@ -4850,17 +4685,14 @@ module stream_skid_w158 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -4869,30 +4701,15 @@ endmodule
 // latency = 25
 // initiation_interval = 1
 module search_check (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [2:0] in_entry,
-    input  wire in_last,
-    input  wire in_present,
-    input  wire [7:0] in_version,
-    input  wire [31:0] in_x,
-    input  wire [31:0] in_y,
-    input  wire [31:0] in_z,
-    input  wire [31:0] in_reach,
-    input  wire [31:0] in_entry_x,
-    input  wire [31:0] in_entry_y,
-    input  wire [31:0] in_entry_z,
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [2:0] in_entry, input wire in_last,
+    input  wire in_present, input wire [7:0] in_version, input wire [31:0] in_x,
+    input  wire [31:0] in_y, input wire [31:0] in_z, input wire [31:0] in_reach,
+    input  wire [31:0] in_entry_x, input wire [31:0] in_entry_y, input wire [31:0] in_entry_z,
     input  wire [31:0] in_entry_c,
     input  wire [31:0] margin_scale,
-    output wire out_valid,
-    input  wire out_ready,
-    output wire [2:0] out_entry,
-    output wire out_last,
-    output wire out_present,
-    output wire [7:0] out_version,
-    output wire out_covered
+    output wire out_valid, input wire out_ready, output wire [2:0] out_entry, output wire out_last,
+    output wire out_present, output wire [7:0] out_version, output wire out_covered
 );
     (* ram_style = "distributed" *)
     reg [31:0] delay_6_from_0 [0:4];
@@ -4919,19 +4736,19 @@ module search_check (
     wire [31:0] mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y;
     wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y;
 
-    wire and_38 = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
+    wire [2:0] entry_d25 = delay_25_from_0_out[2:0];
+    wire last_d25 = delay_25_from_0_out[3];
+    wire present_d25 = delay_25_from_0_out[4];
+    wire [7:0] version_d25 = delay_25_from_0_out[12:5];
+    wire covered_out = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
 
     assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
     assign {out_entry, out_last, out_present, out_version, out_covered} = queue_out_data;
 
     stream_skid_w14 queue (
-        .clk(clk), .rst(rst),
-        .in_valid(in_flight[24]), .in_ready(queue_in_ready),
-        .in_data({
-            delay_25_from_0_out[2:0], delay_25_from_0_out[3], delay_25_from_0_out[4], delay_25_from_0_out[12:5],
-            and_38
-        }),
+        .clk(clk), .rst(rst), .in_valid(in_flight[24]), .in_ready(queue_in_ready),
+        .in_data({entry_d25, last_d25, present_d25, version_d25, covered_out}),
         .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -5038,24 +4855,21 @@ endmodule
 // stages = 2
 // format = f32-ftz
 module float_lt_s2_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  y
 );
     reg unordered_s1, both_zero_s1, compared_s1;
 
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_3 = {a[30:23], term_1};
-    wire [30:0] joined_4 = {b[30:23], term_2};
+    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
+    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            unordered_s1 <= (&a[30:23] & |term_1) | (&b[30:23] & |term_2);
-            both_zero_s1 <= (joined_3 | joined_4) == 31'd0;
-            compared_s1 <= {~a[31], joined_3 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
+            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} < {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
@@ -5065,10 +4879,7 @@ endmodule
 // stages = 5
 // format = f32-ftz
 module float_mul_s5_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [23:0] left_s1, right_s1;
@@ -5084,18 +4895,18 @@ module float_mul_s5_f32ftz (
     wire [22:0] a_fraction = a[22:0];
     wire [7:0] b_field = b[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [47:0] term_1 = {24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24);
-    wire [47:0] choice_2 = product_s3[47] ? product_s3 : (product_s3 << 1);
-    wire term_3 = &a_field & (a_fraction == 23'd0);
-    wire term_4 = ~(|b_field);
-    wire term_5 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_3 & term_4);
-    wire term_6 = ~(|a_field);
-    wire term_7 = &b_field & (b_fraction == 23'd0);
-    wire term_8 = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
-    wire term_9 = infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4));
+    wire [47:0] product_s3_sum = ({24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24)) + ({24'd0, partial_0_12_s2} << 12);
+    wire [47:0] significand_s4_choice = product_s3[47] ? product_s3 : (product_s3 << 1);
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_inverted = ~(|b_field);
+    wire nan_s1_either = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_inverted);
+    wire nan_s1_inverted_2 = ~(|a_field);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire y_both = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
     wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
     wire [30:0] rounded = {exponent_s4[7:0], significand_s4[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_10 = (zero_s4 | ((exponent_s4[9] | term_8) & ~infinite_s4)) ? 31'd0 : term_9 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s4 | ((exponent_s4[9] | y_both) & ~infinite_s4)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -5106,28 +4917,28 @@ module float_mul_s5_f32ftz (
             partial_0_12_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[23:12]};
             partial_12_0_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[11:0]};
             partial_12_12_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[23:12]};
-            product_s3 <= term_1 + ({24'd0, partial_0_12_s2} << 12) + ({24'd0, partial_12_0_s2} << 12);
+            product_s3 <= product_s3_sum + ({24'd0, partial_12_0_s2} << 12);
             exponent_s2 <= exponent_s1 - 10'd127;
             exponent_s3 <= exponent_s2;
             exponent_s4 <= exponent_s3 + {9'd0, product_s3[47]};
-            significand_s4 <= {choice_2[47:23], |choice_2[22:0]};
+            significand_s4 <= {significand_s4_choice[47:23], |significand_s4_choice[22:0]};
             sign_s1 <= a[31] ^ b[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
             sign_s4 <= sign_s3;
-            nan_s1 <= term_5 | (term_6 & term_7);
+            nan_s1 <= nan_s1_either | (nan_s1_inverted_2 & nan_s1_both_2);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
             nan_s4 <= nan_s3;
-            infinite_s1 <= term_3 | term_7;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             infinite_s4 <= infinite_s3;
-            zero_s1 <= term_6 | term_4;
+            zero_s1 <= nan_s1_inverted_2 | nan_s1_inverted;
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
             zero_s4 <= zero_s3;
-            y <= nan_s4 ? 32'h7fc00000 : {sign_s4, choice_10};
+            y <= nan_s4 ? 32'h7fc00000 : {sign_s4, y_choice_2};
         end
     end
 
@@ -5138,10 +4949,7 @@ endmodule
 // stages = 6
 // format = f32-ftz
 module float_add_s6_f32ftz (
-    input  wire clk,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
     output reg  [31:0] y
 );
     reg [9:0] distance_s1;
@@ -5160,103 +4968,101 @@ module float_add_s6_f32ftz (
     wire [7:0] b_field = b[30:23];
     wire [7:0] a_field = a[30:23];
     wire [22:0] b_fraction = b[22:0];
-    wire [23:0] joined_1 = {|b_field, b_fraction & {23{|b_field}}};
+    wire [23:0] large_s1_bits = {|b_field, b_fraction & {23{|b_field}}};
     wire [22:0] a_fraction = a[22:0];
-    wire [23:0] joined_2 = {|a_field, a_fraction & {23{|a_field}}};
-    wire [26:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
-    wire [26:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
-    wire [26:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [26:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [26:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
-    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
-    wire [26:0] joined_10 = {choice_7[26:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
-    wire term_11 = a[31] ^ b[31];
-    wire [28:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {28{subtract_s2}}, subtract_s2};
-    wire term_13 = &a_field & (a_fraction == 23'd0);
-    wire term_14 = &b_field & (b_fraction == 23'd0);
-    wire term_15 = ~sum_s3[27] & ~sum_s3[26];
-    wire term_16 = term_15 & (~sum_s3[25] & ~sum_s3[24]);
-    wire term_17 = ~sum_s3[23] & ~sum_s3[22];
-    wire term_18 = term_16 & (term_17 & (~sum_s3[21] & ~sum_s3[20]));
-    wire term_19 = ~sum_s3[19] & ~sum_s3[18];
-    wire term_20 = term_19 & (~sum_s3[17] & ~sum_s3[16]);
-    wire term_21 = ~sum_s3[15] & ~sum_s3[14];
-    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[13] & ~sum_s3[12])));
-    wire term_23 = ~sum_s3[11] & ~sum_s3[10];
-    wire term_24 = term_23 & (~sum_s3[9] & ~sum_s3[8]);
-    wire term_25 = ~sum_s3[7] & ~sum_s3[6];
-    wire term_26 = term_24 & (term_25 & (~sum_s3[5] & ~sum_s3[4]));
-    wire term_27 = ~sum_s3[3] & ~sum_s3[2];
-    wire term_28 = term_27 & (~sum_s3[1] & ~sum_s3[0]);
-    wire [1:0] choice_29 = term_28 ? 2'd0 : {term_27, term_27 ? ~sum_s3[1] : ~sum_s3[3]};
-    wire [1:0] choice_30 = term_24 ? {term_25, term_25 ? ~sum_s3[5] : ~sum_s3[7]} : {term_23, term_23 ? ~sum_s3[9] : ~sum_s3[11]};
-    wire [3:0] joined_31 = {term_26, term_26 ? {term_28, choice_29} : {term_24, choice_30}};
-    wire [1:0] choice_32 = term_20 ? {term_21, term_21 ? ~sum_s3[13] : ~sum_s3[15]} : {term_19, term_19 ? ~sum_s3[17] : ~sum_s3[19]};
-    wire [1:0] choice_33 = term_16 ? {term_17, term_17 ? ~sum_s3[21] : ~sum_s3[23]} : {term_15, term_15 ? ~sum_s3[25] : ~sum_s3[27]};
-    wire [3:0] joined_34 = {term_18, term_18 ? {term_20, choice_32} : {term_16, choice_33}};
-    wire [27:0] shifted_35 = value_s4 << zeros_s4;
-    wire term_36 = sum_s3 == 28'd0;
-    wire term_37 = (exponent_s5 == 10'd0) & ~(&significand_s5[24:2] & significand_s5[1]);
-    wire term_38 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire [23:0] large_s1_bits_2 = {|a_field, a_fraction & {23{|a_field}}};
+    wire [26:0] aligned_s2_choice = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [26:0] aligned_s2_choice_2 = distance_s1[3] ? (aligned_s2_choice >> 8) : aligned_s2_choice;
+    wire [26:0] aligned_s2_choice_3 = distance_s1[2] ? (aligned_s2_choice_2 >> 4) : aligned_s2_choice_2;
+    wire [26:0] aligned_s2_choice_4 = distance_s1[1] ? (aligned_s2_choice_3 >> 2) : aligned_s2_choice_3;
+    wire [26:0] aligned_s2_choice_5 = distance_s1[0] ? (aligned_s2_choice_4 >> 1) : aligned_s2_choice_4;
+    wire aligned_s2_either = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |aligned_s2_choice[7:0]);
+    wire aligned_s2_either_2 = aligned_s2_either | (distance_s1[2] & |aligned_s2_choice_2[3:0]) | (distance_s1[1] & |aligned_s2_choice_3[1:0]);
+    wire aligned_s2_either_3 = aligned_s2_choice_5[0] | (aligned_s2_either_2 | (distance_s1[0] & aligned_s2_choice_4[0]));
+    wire a_31_xor_b_31 = a[31] ^ b[31];
+    wire [28:0] sum_s3_sum = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {28{subtract_s2}}, subtract_s2};
+    wire nan_s1_both = &a_field & (a_fraction == 23'd0);
+    wire nan_s1_both_2 = &b_field & (b_fraction == 23'd0);
+    wire zeros_s4_both = ~sum_s3[27] & ~sum_s3[26];
+    wire zeros_s4_both_2 = zeros_s4_both & (~sum_s3[25] & ~sum_s3[24]);
+    wire zeros_s4_both_3 = ~sum_s3[23] & ~sum_s3[22];
+    wire zeros_s4_both_4 = zeros_s4_both_2 & (zeros_s4_both_3 & (~sum_s3[21] & ~sum_s3[20]));
+    wire zeros_s4_both_5 = ~sum_s3[19] & ~sum_s3[18];
+    wire zeros_s4_both_6 = zeros_s4_both_5 & (~sum_s3[17] & ~sum_s3[16]);
+    wire zeros_s4_both_7 = ~sum_s3[15] & ~sum_s3[14];
+    wire zeros_s4_both_8 = zeros_s4_both_6 & (zeros_s4_both_7 & (~sum_s3[13] & ~sum_s3[12]));
+    wire zeros_s4_both_9 = zeros_s4_both_4 & zeros_s4_both_8;
+    wire zeros_s4_both_10 = ~sum_s3[11] & ~sum_s3[10];
+    wire zeros_s4_both_11 = zeros_s4_both_10 & (~sum_s3[9] & ~sum_s3[8]);
+    wire not_sum_s3_7_and_not_sum_s3_6 = ~sum_s3[7] & ~sum_s3[6];
+    wire zeros_s4_both_12 = zeros_s4_both_11 & (not_sum_s3_7_and_not_sum_s3_6 & (~sum_s3[5] & ~sum_s3[4]));
+    wire not_sum_s3_3_and_not_sum_s3_2 = ~sum_s3[3] & ~sum_s3[2];
+    wire zeros_s4_both_13 = not_sum_s3_3_and_not_sum_s3_2 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] zeros_s4_bits = {not_sum_s3_3_and_not_sum_s3_2, not_sum_s3_3_and_not_sum_s3_2 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] zeros_s4_bits_2 = {not_sum_s3_7_and_not_sum_s3_6, not_sum_s3_7_and_not_sum_s3_6 ? ~sum_s3[5] : ~sum_s3[7]};
+    wire [1:0] zeros_s4_choice = zeros_s4_both_11 ? zeros_s4_bits_2 : {zeros_s4_both_10, zeros_s4_both_10 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [2:0] zeros_s4_choice_2 = zeros_s4_both_12 ? {zeros_s4_both_13, zeros_s4_both_13 ? 2'd0 : zeros_s4_bits} : {zeros_s4_both_11, zeros_s4_choice};
+    wire [1:0] zeros_s4_choice_3 = zeros_s4_both_6 ? {zeros_s4_both_7, zeros_s4_both_7 ? ~sum_s3[13] : ~sum_s3[15]} : {zeros_s4_both_5, zeros_s4_both_5 ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [1:0] zeros_s4_choice_4 = zeros_s4_both_2 ? {zeros_s4_both_3, zeros_s4_both_3 ? ~sum_s3[21] : ~sum_s3[23]} : {zeros_s4_both, zeros_s4_both ? ~sum_s3[25] : ~sum_s3[27]};
+    wire [2:0] zeros_s4_choice_5 = zeros_s4_both_4 ? {zeros_s4_both_6, zeros_s4_choice_3} : {zeros_s4_both_2, zeros_s4_choice_4};
+    wire [3:0] zeros_s4_choice_6 = zeros_s4_both_9 ? {zeros_s4_both_12, zeros_s4_choice_2} : {zeros_s4_both_4, zeros_s4_choice_5};
+    wire [27:0] value_s4_shifted_by_zeros_s4 = value_s4 << zeros_s4;
+    wire sum_s3_is_0 = sum_s3 == 28'd0;
+    wire y_both = (exponent_s5 == 10'd0) & ~(&significand_s5[24:2] & significand_s5[1]);
     wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
     wire [30:0] rounded = {exponent_s5[7:0], significand_s5[24:2]} + {30'd0, round_up};
-    wire [30:0] choice_39 = (zero_s5 | ((exponent_s5[9] | term_37) & ~infinite_s5)) ? 31'd0 : term_38 ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice = (infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5))) ? 31'h7f800000 : rounded;
+    wire [30:0] y_choice_2 = (zero_s5 | ((exponent_s5[9] | y_both) & ~infinite_s5)) ? 31'd0 : y_choice;
 
     always @(posedge clk) begin
         if (enable) begin
             distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
-            large_s1 <= swap ? joined_1 : joined_2;
-            small_s1 <= swap ? joined_2 : joined_1;
+            large_s1 <= swap ? large_s1_bits : large_s1_bits_2;
+            small_s1 <= swap ? large_s1_bits_2 : large_s1_bits;
             large_s2 <= large_s1;
-            aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : joined_10;
-            subtract_s1 <= term_11;
+            aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : {aligned_s2_choice_5[26:1], aligned_s2_either_3};
+            subtract_s1 <= a_31_xor_b_31;
             subtract_s2 <= subtract_s1;
-            sum_s3 <= sum_12[28:1];
+            sum_s3 <= sum_s3_sum[28:1];
             sign_s1 <= swap ? b[31] : a[31];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (nan_s1_both & nan_s1_both_2 & a_31_xor_b_31);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
-            infinite_s1 <= term_13 | term_14;
+            infinite_s1 <= nan_s1_both | nan_s1_both_2;
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
             subtract_s3 <= subtract_s2;
             value_s4 <= sum_s3;
-            zeros_s4 <= {term_22, term_22 ? joined_31 : joined_34};
+            zeros_s4 <= {zeros_s4_both_9, zeros_s4_choice_6};
             limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
             limit_s2 <= limit_s1;
             limit_s3 <= limit_s2;
             limit_s4 <= limit_s3;
             exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
-            significand_s5 <= {shifted_35[27:3], |shifted_35[2:0]};
-            sign_s4 <= sign_s3 & ~(term_36 & subtract_s3);
+            significand_s5 <= {value_s4_shifted_by_zeros_s4[27:3], |value_s4_shifted_by_zeros_s4[2:0]};
+            sign_s4 <= sign_s3 & ~(sum_s3_is_0 & subtract_s3);
             sign_s5 <= sign_s4;
             nan_s4 <= nan_s3;
             nan_s5 <= nan_s4;
             infinite_s4 <= infinite_s3;
             infinite_s5 <= infinite_s4;
-            zero_s4 <= term_36 & ~infinite_s3;
+            zero_s4 <= sum_s3_is_0 & ~infinite_s3;
             zero_s5 <= zero_s4;
-            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, choice_39};
+            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, y_choice_2};
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_s3_sum[0]};
 endmodule
 
 // Queue of two in registers.
 // width = 14
 module stream_skid_w14 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [13:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [13:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [13:0] out_data
 );
     reg second_valid;
     reg [13:0] head, second;
@@ -5282,17 +5088,14 @@ module stream_skid_w14 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -5300,14 +5103,9 @@ endmodule
 // Queue of two in registers.
 // width = 190
 module stream_skid_w190 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [189:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [189:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [189:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [189:0] out_data
 );
     reg second_valid;
     reg [189:0] head, second;
@@ -5333,17 +5131,14 @@ module stream_skid_w190 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -5351,14 +5146,9 @@ endmodule
 // Queue of two in registers.
 // width = 83
 module stream_skid_w83 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [82:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [82:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [82:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [82:0] out_data
 );
     reg second_valid;
     reg [82:0] head, second;
@@ -5384,17 +5174,14 @@ module stream_skid_w83 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                second_waits_behind_head: assert (0);
+        second_waits_behind_head: assert (out_valid | in_ready);
 `else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule
@@ -5403,14 +5190,9 @@ endmodule
 // depth = 4
 // width = 28
 module stream_fifo_d4_w28 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [27:0] in_data,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [27:0] out_data
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
 );
     reg [2:0] held, waiting;
     reg [1:0] write_address, read_address;
@@ -5425,8 +5207,7 @@ module stream_fifo_d4_w28 (
     assign out_data = item;
 
     memory_1w1r_unordered #(.WIDTH(28), .DEPTH(4)) entries (
-        .clk(clk),
-        .write(push), .write_address(write_address), .write_data(in_data),
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
         .read(fetch), .read_address(read_address), .read_data(item)
     );
 
@@ -5447,25 +5228,16 @@ module stream_fifo_d4_w28 (
     end
 
 `ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 3'd4)) begin
+    always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-                held_in_range: assert (0);
+        held_in_range: assert (held <= 3'd4);
+        held_is_waiting_and_shown: assert (held == (waiting + {2'd0, out_valid}));
 `else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {2'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
+        if (!(held <= 3'd4)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {2'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
 `endif
 endmodule

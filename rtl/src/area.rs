@@ -2,6 +2,7 @@
 
 use super::canonical::{Graph, Need};
 use super::expression::Primitive;
+use super::memory::{Store, Style};
 use super::module::Source;
 
 /// What one module holds, without its children.
@@ -30,13 +31,25 @@ pub struct Storage {
     pub depth: u32,
     /// Bits of a word.
     pub width: u32,
+    /// Read ports.
+    pub reads: u32,
+    /// Whether it is to lie in look-up tables.
+    pub is_distributed: bool,
 }
 
 impl Storage {
     /// The memories of a module, without its children.
     pub(super) fn of(graph: &Graph) -> Vec<Self> {
-        let stores = graph.module.stores.iter().zip(&graph.stores).filter(|(_, need)| **need == Need::Hardware);
-        stores.map(|(store, _)| Self { name: store.name.clone(), depth: store.depth, width: store.width }).collect()
+        let stores = graph.module.stores.iter().enumerate();
+        let stores = stores.filter(|(index, _)| graph.stores[*index] == Need::Hardware);
+        let storage = |(index, store): (usize, &Store)| Self {
+            name: store.name.clone(),
+            depth: store.depth,
+            width: store.width,
+            reads: graph.readers(index).len() as u32,
+            is_distributed: store.style == Style::Distributed,
+        };
+        stores.map(storage).collect()
     }
 
     /// Bits in all.

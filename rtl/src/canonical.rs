@@ -88,6 +88,11 @@ impl<'a> Graph<'a> {
         self.by_number[&expr.number()]
     }
 
+    /// The node of an expression, if it is in the graph.
+    pub fn find(&self, expr: Expr) -> Option<usize> {
+        self.by_number.get(&expr.number()).copied()
+    }
+
     /// An output shows the bits that a wire names, without the wire.
     fn output(&mut self, value: Expr) {
         let bits = self.resolver.bits(value);

@@ -129,21 +129,37 @@ impl Writer<'_> {
     }
 }
 
-/// A clocked block; with assertions, `checked` comes last in it.
+/// A clocked block, on a line if it is one statement; with assertions, `checked` comes last in it.
 fn write_block(groups: &[Guarded], checked: &[Guarded], out: &mut String) {
-    if !groups.is_empty() {
-        out.push_str("always @(posedge clk) begin\n");
-        write_guarded(groups, "    ", out);
-        if !checked.is_empty() {
-            out.push_str("`ifdef RTL_ASSERT\n");
-            write_guarded(checked, "    ", out);
-            out.push_str("`endif\n");
-        }
-        out.push_str("end\n");
+    if groups.is_empty() {
+        return;
     }
+    let mut statements = String::new();
+    write_guarded(groups, "    ", &mut statements);
+    if checked.is_empty() && statements.lines().count() == 1 {
+        let _ = writeln!(out, "always @(posedge clk) {}", statements.trim());
+        return;
+    }
+    out.push_str("always @(posedge clk) begin\n");
+    out.push_str(&statements);
+    if !checked.is_empty() {
+        out.push_str("`ifdef RTL_ASSERT\n");
+        write_guarded(checked, "    ", out);
+        out.push_str("`endif\n");
+    }
+    out.push_str("end\n");
 }
 
 fn write_reset_block(resets: &[String], running: &[Guarded], out: &mut String) {
+    if let ([reset], [Guarded { enable, lines }]) = (resets, running)
+        && let [line] = &lines[..]
+        && !line.contains('\n')
+        && line.len() + enable.as_ref().map_or(0, String::len) <= GUARDED_CHARACTERS
+    {
+        let condition = enable.as_ref().map_or(String::new(), |enable| format!("if ({enable}) "));
+        let _ = writeln!(out, "always @(posedge clk) begin\n    if (rst) {reset}\n    else {condition}{line}\nend");
+        return;
+    }
     out.push_str("always @(posedge clk) begin\n    if (rst) begin\n");
     for line in resets {
         let _ = writeln!(out, "        {line}");

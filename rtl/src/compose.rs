@@ -5,7 +5,7 @@ use super::text::{braced, literal};
 use super::writer::Writer;
 
 /// A part of an expression that would be longer than this gets a wire.
-const INLINE_CHARACTERS: usize = 56;
+const INLINE_CHARACTERS: usize = 64;
 
 /// How tightly a text holds together.
 #[derive(Clone, Copy, PartialEq, Eq)]

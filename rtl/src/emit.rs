@@ -8,7 +8,7 @@ use super::expression::{Expr, Primitive};
 use super::memory::{Content, Store, Style};
 use super::memory_module::MemoryModule;
 use super::module::{Assertion, Module, PortDeclaration, Source};
-use super::text::{Declarations, braced, literal, range};
+use super::text::{COMMENT, Declarations, LINE_CHARACTERS, braced, literal, range};
 use super::writer::Writer;
 
 /// A module as text, but for its name and those of its children.
@@ -24,6 +24,14 @@ pub(super) struct Body {
     pub memories: BTreeSet<MemoryModule>,
     /// What stands after the instances.
     pub after: String,
+}
+
+impl Body {
+    /// It without what is said of registers.
+    pub fn without_comments(&self) -> Self {
+        let bare = self.before.lines().map(|line| line.split(COMMENT).next().unwrap_or(line).to_owned() + "\n");
+        Self { before: bare.collect(), ..self.clone() }
+    }
 }
 
 /// How a port is declared.
@@ -169,7 +177,7 @@ impl Emitter<'_> {
                 self.writer.track(&signal.name, width);
             }
         }
-        out + &declarations.text()
+        out + &declarations.text(&self.module.documents)
     }
 
     /// Memories that are instances of modules, and those modules.
@@ -190,7 +198,7 @@ impl Emitter<'_> {
                 self.writer.track(&signal.name, width);
             }
         }
-        declarations.text()
+        declarations.text(&BTreeMap::new())
     }
 
     fn output_assignments(&mut self) -> String {
@@ -257,15 +265,19 @@ impl Emitter<'_> {
         self.writer.bits_read.clear();
         let state = self.state_declarations(Need::Assertions);
         let clocked = self.writer.clocked(Need::Assertions);
-        let mut checks = String::from("always @(posedge clk) begin\n    if (!rst) begin\n");
+        // Proofs are told what holds; a simulation that finds something else says so and stops.
+        let (mut proved, mut simulated) = (String::new(), String::new());
         for Assertion { name, condition, .. } in &self.module.assertions {
             let condition = self.writer.expression(*condition);
-            let _ = writeln!(checks, "        if (!({condition})) begin");
-            let _ = writeln!(checks, "`ifdef FORMAL\n            {name}: assert (0);\n`else");
-            let _ = writeln!(checks, "            $display(\"assertion failed: {name} in %m\");");
-            checks += "            $stop;\n`endif\n        end\n";
+            let _ = writeln!(proved, "    {name}: assert ({condition});");
+            let stop = format!("$display(\"assertion failed: {name} in %m\"); $stop;");
+            let whole = format!("    if (!({condition})) begin {stop} end");
+            let fits = whole.len() <= LINE_CHARACTERS && !whole.contains('\n');
+            let broken = || format!("    if (!({condition})) begin\n        {stop}\n    end");
+            let _ = writeln!(simulated, "{}", if fits { whole } else { broken() });
         }
-        checks += "    end\nend\n";
+        let head = "always @(posedge clk) if (!rst) begin";
+        let checks = format!("{head}\n`ifdef FORMAL\n{proved}`else\n{simulated}`endif\nend\n");
         let definitions = std::mem::take(&mut self.writer.definitions).join("\n");
         let unused = unused_sink("_unused_by_checks", &self.writer.bits_read);
         let inside = join_sections(&[state, definitions, clocked, checks, unused]);

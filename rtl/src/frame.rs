@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::emit::PortKind;
-use super::text::range;
+use super::text::{LINE_CHARACTERS, range};
 
 /// A port of a module.
 pub(super) struct FramePort {
@@ -47,9 +47,8 @@ impl Frame {
         // A module without ports has an empty line between its parentheses.
         let none = if self.ports.is_empty() { "\n" } else { "" };
         out.push_str(none);
-        for (index, port) in self.ports.iter().enumerate() {
-            let separator = if index + 1 < self.ports.len() { "," } else { "" };
-            let _ = writeln!(out, "    {}", port.declaration(separator));
+        for line in self.port_lines() {
+            let _ = writeln!(out, "    {line}");
         }
         out.push_str(");\n");
         for line in self.body.lines() {
@@ -59,5 +58,35 @@ impl Frame {
         }
         out.push_str("endmodule\n");
         out
+    }
+
+    /// The declarations of the ports: a line each where something is said of them; of others, those that begin alike share lines, and
+    /// those of one direction that begin like no other.
+    fn port_lines(&self) -> Vec<String> {
+        let group = |port: &FramePort| {
+            let first = port.name.split('_').next();
+            let is_group = |other: &FramePort| other.name != port.name && other.name.split('_').next() == first;
+            match first.filter(|_| self.ports.iter().any(is_group)) {
+                Some(first) => first.to_owned(),
+                None if port.kind == PortKind::Input => "input".into(),
+                None => "output".into(),
+            }
+        };
+        let mut lines: Vec<String> = vec![];
+        // The group of a line that more can be put on.
+        let mut open = None;
+        for (index, port) in self.ports.iter().enumerate() {
+            let separator = if index + 1 < self.ports.len() { "," } else { "" };
+            let declaration = port.declaration(separator);
+            let own = port.document.is_none().then(|| group(port));
+            match lines.last_mut() {
+                Some(line) if own.is_some() && own == open && line.len() + declaration.len() < LINE_CHARACTERS => {
+                    *line += &format!(" {}", declaration.replacen("  ", " ", 1));
+                }
+                _ => lines.push(declaration),
+            }
+            open = own;
+        }
+        lines
     }
 }

@@ -4,7 +4,7 @@ use super::elaborate::Direction;
 use super::error::FaultKind;
 use super::expression::Expr;
 use super::instance::Instance;
-use super::module::Module;
+use super::module::{Module, Signal, Source};
 
 /// Ports that belong together: `<name>_<flag>`, for a stream `<name>_ready`, and `<name>_<field>`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -57,11 +57,13 @@ impl StreamDeclaration {
 }
 
 impl Module {
-    /// Says what a port is for: a comment behind its declaration in the Verilog. Text of several lines becomes one; where it is empty,
-    /// nothing is said. Modules that differ in comments alone are one, with those of the first.
+    /// Says what a port is for, or what a register holds: a comment behind its declaration in the Verilog. Text of several lines becomes
+    /// one; where it is empty, nothing is said. Modules that differ in the words of comments alone are one, with those of the first.
     #[track_caller]
     pub fn document(&mut self, port: &str, text: &str) {
-        if !self.ports.iter().any(|declared| declared.shape(self).0 == port) {
+        let is_register = |signal: &Signal| &*signal.name == port && matches!(signal.source, Source::Register { .. });
+        let is_port = self.ports.iter().any(|declared| declared.shape(self).0 == port);
+        if !is_port && !self.signals.iter().any(is_register) {
             let (unit, port) = (self.unit.clone(), port.to_owned());
             return self.fault(FaultKind::UndeclaredPort { unit, port });
         }

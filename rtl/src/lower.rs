@@ -88,7 +88,7 @@ impl Library {
             Some(foreign) => (foreign.body(&module.unit), Implicit { clk: foreign.is_clocked(), rst: false }),
             None => emit::body(&graph, &below, is_top),
         };
-        let content = (module.unit.clone(), module.parameters.clone(), children.clone(), body.clone());
+        let content = (module.unit.clone(), module.parameters.clone(), children.clone(), body.without_comments());
         let index = *self.by_content.entry(content).or_insert(self.modules.len());
         if index == self.modules.len() {
             self.modules.push(Lowered {

@@ -32,7 +32,7 @@ impl Graph<'_> {
     }
 
     /// The signals that show what is read from a memory.
-    fn readers(&self, memory: usize) -> Vec<usize> {
+    pub fn readers(&self, memory: usize) -> Vec<usize> {
         let reads = |signal: &usize| match self.module.signals[*signal].source {
             Source::Read { store, .. } => store == memory && self.signals[*signal] != Need::Nobody,
             _ => false,

@@ -2,9 +2,33 @@
 
 use super::error::FaultKind;
 use super::expression::{Expr, cat};
+use super::handle::Wire;
 use super::instance::Instance;
 use super::module::Module;
 use super::stream::Stream;
+
+/// The port that holds all fields.
+const DATA: &str = "data";
+
+/// A stream whose fields come side by side.
+#[derive(Clone, Copy)]
+pub struct PackedStream {
+    /// An item is there.
+    pub valid: Expr,
+    /// Its fields, the first on top.
+    pub data: Expr,
+    /// The consumer takes the item; to be driven once.
+    pub ready: Wire,
+}
+
+impl PackedStream {
+    /// The item moves in this cycle.
+    #[must_use]
+    #[track_caller]
+    pub fn transfer(&self) -> Expr {
+        self.valid & self.ready
+    }
+}
 
 /// Fields that share a port.
 pub(super) struct Packed {
@@ -34,12 +58,12 @@ impl Packed {
 }
 
 impl Module {
-    /// Declares the ports of a stream that comes in with all fields in one port `<name>_data`, the first on top: the one field that the
-    /// stream then has. Who places the module connects it field by field all the same.
+    /// Declares the ports of a stream that comes in with all fields in one port `<name>_data`, the first on top. Who places the module connects it field by field all the same.
     #[track_caller]
-    pub fn packed_in(&mut self, name: &str, layout: &[(impl AsRef<str>, u32)]) -> Stream {
+    pub fn packed_in(&mut self, name: &str, layout: &[(impl AsRef<str>, u32)]) -> PackedStream {
         let width = self.pack(name, layout);
-        self.stream_in(name, &[("data", width)])
+        let Stream { valid, fields, ready } = self.stream_in(name, &[(DATA, width)]);
+        PackedStream { valid, data: fields[0].1, ready }
     }
 
     /// Declares and drives the ports of a stream that goes out as [`Module::packed_in`] has it; returns the consumer's `ready`.
@@ -53,14 +77,14 @@ impl Module {
     ) -> Expr {
         let data = data.into();
         let width = self.pack(name, layout);
-        self.check_width(&format!("{name}_data"), width, data);
-        self.stream_out(name, valid, [("data", data)])
+        self.check_width(&format!("{name}_{DATA}"), width, data);
+        self.stream_out(name, valid, [(DATA, data)])
     }
 
     #[track_caller]
     fn pack(&mut self, name: &str, layout: &[(impl AsRef<str>, u32)]) -> u32 {
         let fields = layout.iter().map(|(field, width)| (field.as_ref().to_string(), *width)).collect();
-        self.packed.push(Packed { port: format!("{name}_data"), prefix: format!("{name}_"), fields });
+        self.packed.push(Packed { port: format!("{name}_{DATA}"), prefix: format!("{name}_"), fields });
         self.packed[self.packed.len() - 1].width()
     }
 

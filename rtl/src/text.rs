@@ -1,9 +1,13 @@
 //! Small pieces of Verilog text.
 
+use std::collections::BTreeMap;
+
 /// A concatenation longer than this is written over several lines.
-const LINE_CHARACTERS: usize = 100;
+pub(super) const LINE_CHARACTERS: usize = 100;
 /// Connections of an instance that fit one line together.
 const CONNECTION_CHARACTERS: usize = 72;
+/// What stands before a comment behind a declaration.
+pub(super) const COMMENT: &str = "  // ";
 /// Literals from here on are written in hexadecimal.
 const HEXADECIMAL_FROM: u128 = 1024;
 
@@ -28,7 +32,7 @@ pub(super) fn braced(parts: &[String]) -> String {
 }
 
 /// Connections of an instance in parentheses: on one line where they fit, else a line for those of each group of ports, which begin
-/// alike.
+/// alike; those of no group stand before the next one.
 pub(super) fn filled(connections: &[(String, String)]) -> String {
     let texts: Vec<String> = connections.iter().map(|(port, value)| format!(".{port}({value})")).collect();
     let whole = texts.join(", ");
@@ -46,7 +50,7 @@ pub(super) fn filled(connections: &[(String, String)]) -> String {
         let group = Some(group(port));
         match lines.last_mut() {
             Some(line)
-                if before == group
+                if (before == group || before == Some(None))
                     && line.len() + text.len() < LINE_CHARACTERS
                     && !line.contains('\n')
                     && !text.contains('\n') =>
@@ -89,12 +93,16 @@ impl Declarations {
         }
     }
 
-    /// A statement for as many names as fit a line.
-    pub fn text(&self) -> String {
-        let lines = self
-            .0
-            .iter()
-            .flat_map(|(head, names)| wrapped(names).into_iter().map(move |names| format!("{head}{names};\n")));
-        lines.collect()
+    /// A statement for as many names as fit a line, and one for each of which something is said.
+    pub fn text(&self, documents: &BTreeMap<String, String>) -> String {
+        let mut out = String::new();
+        for (head, names) in &self.0 {
+            let runs = names.chunk_by(|a, b| !documents.contains_key(a) && !documents.contains_key(b));
+            for run in runs {
+                let comment = documents.get(&run[0]).map_or(String::new(), |text| format!("{COMMENT}{text}"));
+                wrapped(run).iter().for_each(|names| out += &format!("{head}{names};{comment}\n"));
+            }
+        }
+        out
     }
 }

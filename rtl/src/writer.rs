@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use super::canonical::{Graph, Need};
 use super::expression::{Expr, Primitive};
 use super::module::Source;
+use super::naming::Namer;
 use super::text::{literal, range};
 
 /// Writes the expressions of one module.
@@ -21,7 +22,7 @@ pub(super) struct Writer<'a> {
     node_names: HashMap<usize, String>,
     /// By node: the live wire of the author's that shows it.
     author_names: HashMap<usize, usize>,
-    generated: usize,
+    namer: Namer,
 }
 
 impl<'a> Writer<'a> {
@@ -42,7 +43,7 @@ impl<'a> Writer<'a> {
             defined: HashSet::new(),
             node_names: HashMap::new(),
             author_names,
-            generated: 0,
+            namer: Namer::new(graph),
         }
     }
 
@@ -184,23 +185,12 @@ impl<'a> Writer<'a> {
 
     /// A new wire for a node whose text is known.
     pub fn name_value(&mut self, node: usize, value: &str) -> String {
-        let stem = match self.graph.nodes[node].operation {
-            Primitive::Add => "sum",
-            Primitive::Subtract => "difference",
-            Primitive::Multiply | Primitive::MultiplySigned => "product",
-            Primitive::Mux => "choice",
-            Primitive::Cat | Primitive::Repeat(_) => "joined",
-            Primitive::ShiftLeft | Primitive::ShiftRight => "shifted",
-            _ => "term",
+        let (graph, names) = (self.graph, &self.node_names);
+        let known = |node: usize| match &graph.nodes[node].operation {
+            Primitive::Signal(signal) => Some(signal.name.to_string()),
+            _ => names.get(&node).cloned(),
         };
-        let mut name;
-        loop {
-            self.generated += 1;
-            name = format!("{stem}_{}", self.generated);
-            if !self.graph.module.names.contains(&name) {
-                break;
-            }
-        }
+        let name = self.namer.name(graph, node, known);
         let width = self.graph.nodes[node].width;
         self.definitions.push(format!("wire {}{name} = {value};", range(width)));
         self.track(&name, width);

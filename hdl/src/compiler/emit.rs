@@ -8,6 +8,7 @@ use super::cost::stages;
 use super::delay::Delays;
 use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
+use super::labels::labels;
 use super::lower::combinational;
 use super::manifest::{Manifest, OperatorUse};
 use super::operation::Operation;
@@ -48,7 +49,7 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
     emitter.module.ready(&input, emitter.load(0));
 
     let delays = Delays::new(graph, plan, schedule, &mut emitter);
-    let mut body = Body { graph, plan, schedule, emitter, delays, values };
+    let mut body = Body { graph, plan, schedule, emitter, delays, values, labels: labels(graph) };
     let units = bind(graph, plan, schedule, initiation_interval);
     let instances: Vec<Instance> = units.iter().map(|unit| body.instance(unit)).collect();
     for index in 0..graph.nodes().len() {
@@ -84,6 +85,8 @@ struct Body<'a> {
     delays: Delays,
     /// Values in the cycle in which they are there.
     values: HashMap<ValueId, Expr>,
+    /// What values are called.
+    labels: Vec<String>,
 }
 
 impl Body<'_> {
@@ -103,7 +106,7 @@ impl Body<'_> {
     /// Makes a value and holds it as long as needed.
     fn value(&mut self, id: ValueId) {
         let node = self.graph.node(id);
-        let label = self.graph.label(id);
+        let label = self.labels[id.0].clone();
         let live = match self.values.get(&id) {
             Some(live) => *live,
             None => self.combinational(id, &label),

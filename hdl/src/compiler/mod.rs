@@ -24,6 +24,7 @@ mod encode;
 mod error;
 mod evaluate;
 mod graph;
+mod labels;
 mod lower;
 mod manifest;
 mod multiply;
@@ -47,6 +48,7 @@ pub use program::Program;
 pub use table::Table;
 pub use types::{Type, WIDTH_MAX};
 pub use value::Value;
+pub(crate) use value::name;
 
 use rtl::Module;
 

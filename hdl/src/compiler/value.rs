@@ -120,6 +120,17 @@ impl Value {
     }
 }
 
+/// Names values after the variables that hold them; behind `in`, what stands behind each name: `name!(in "x": a, b)` names `a_x`.
+macro_rules! name {
+    (in $suffix:expr; $($value:ident),*) => {$(
+        let _ = $value.named(&format!("{}_{}", stringify!($value), $suffix));
+    )*};
+    ($($value:ident),*) => {$(
+        let _ = $value.named(stringify!($value));
+    )*};
+}
+pub(crate) use name;
+
 /// Methods of one operation, without parameters or with one more operand.
 macro_rules! methods {
     ($($(#[$doc:meta])* $name:ident($($other:ident)?) = $operation:ident;)*) => {

@@ -9,7 +9,8 @@ use pointcore_contract::search::units::leaf::PORTS;
 use super::parts::coordinates::coordinates;
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::units::datapath::dot;
-use crate::units::ports::{Flow, PulseInPorts, StreamInPorts, StreamOutPorts};
+use crate::units::passage::Passage;
+use crate::units::ports::{PulseInPorts, StreamInPorts, StreamOutPorts};
 use crate::units::sliced::Sliced;
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
@@ -35,7 +36,8 @@ fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileErro
     let mut candidates = Candidates { place: beat.place, ..Candidates::default() };
     for (distance, point) in candidates.distances.iter_mut().zip(beat.points.lane).take(config.lanes as usize) {
         let point = numbers(point);
-        let offset: [Value; 3] = std::array::from_fn(|axis| point[axis] - query[axis]);
+        let offset: [Value; 3] =
+            std::array::from_fn(|axis| (point[axis] - query[axis]).named(&format!("offset_{}", AXES[axis])));
         *distance = dot(&offset, &offset);
     }
     candidates.outputs(&program, config);
@@ -81,17 +83,16 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     // Beats join the coordinates of their queries.
     let beat = PORTS.beat.queue(&mut m, config);
     let Datapath { module, manifest } = distances(config, options)?;
-    let distance = m.instance("distance", module);
+    let distance = Passage::<Operands, Candidates>::place(&mut m, "distance", module);
     let query_valid = m.reg_reset("query_valid", 1, 0);
-    let accepts = m.out(distance, "in_ready");
+    let accepts = distance.room(&mut m);
     let query_advance = m.wire("query_advance", !query_valid | accepts);
     m.drive(beat.ready, query_advance);
     m.next_if(query_valid, query_advance, beat.valid);
     let points = beat.record.register(&mut m, config, "points_", query_advance);
     let query = coordinates(&mut m, config, start, query_advance, beat.record.place.thread.thread);
-    m.connect(distance, "in_valid", query_valid);
-    Operands { beat: points, query }.connect(&mut m, config, distance, "in_");
-    let candidates = Flow::from(&mut m, config, distance, "out");
+    distance.push(&mut m, config, query_valid, Operands { beat: points, query });
+    let candidates = distance.out(&mut m, config);
     PORTS.candidates.export(&mut m, config, candidates);
     Ok(Datapath { module: m, manifest })
 }

@@ -10,7 +10,8 @@ use pointcore_contract::search::units::sieve::PORTS;
 use super::parts::radii::radii;
 use super::parts::sets::set;
 use crate::stream::fifo;
-use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
+use crate::units::passage::Passage;
+use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module};
 
@@ -30,8 +31,9 @@ pub fn module(config: &Config) -> Module {
     let start = PORTS.start.declare(&mut m, config);
     let radius = PORTS.radius.declare(&mut m, config);
     let head = PORTS.candidates.queue(&mut m, config);
-    let kept = m.instance("kept_queue", fifo(config.sieve_depth(), &layout::<Candidates>(config)));
-    let room = m.out(kept, "in_ready");
+    let queue = fifo(config.sieve_depth(), &layout::<Candidates>(config));
+    let kept = Passage::<Candidates>::place(&mut m, "kept_queue", queue);
+    let room = kept.room(&mut m);
 
     // s1: the radius is there; s2: it is known whether a lane is nearer.
     let decides = m.forward("decides", 1);
@@ -70,9 +72,8 @@ pub fn module(config: &Config) -> Module {
     for (lane, distance) in held.distances[..config.lanes as usize].iter_mut().enumerate() {
         *distance = self::held(&mut m, &format!("held_distance{lane}"), keep, *distance);
     }
-    m.connect(kept, "in_valid", leaves);
-    held.connect(&mut m, config, kept, "in_");
-    let out = Flow::from(&mut m, config, kept, "out");
+    kept.push(&mut m, config, leaves, held);
+    let out = kept.out(&mut m, config);
     PORTS.kept.export(&mut m, config, out);
     PORTS.skipped.registered(&mut m, config, ends & !closes, s2.place.thread);
     m

@@ -1,11 +1,12 @@
 //! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::splat::normalizer`.
 
 use super::parts::division::recip;
-use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
+use crate::units::datapath;
 use crate::units::values::Terms;
 use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
 use pointcore_contract::splat::records::{FinishedPixel, Fragment, LOCAL_BITS, PlacedPixel};
-use pointcore_contract::splat::{AttributeFormat, Config, Fraction};
+use pointcore_contract::splat::{AttributeFormat, Config, Fraction, units};
 use pointcore_contract::{Fixed, Format};
 
 /// Divides a pixel's sums by its weight and states its place in the image.
@@ -18,6 +19,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let PlacedPixel { tile, pixel, value: sums } = placed;
     let scale = recip(config.division, sums.weight.to_float(config.geometry, WEIGHT_BITS));
     let depth = sums.depth.to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
+    name!(scale);
 
     let column_bits = config.tile_column_bits();
     let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(LOCAL_BITS - 1, 0));
@@ -31,7 +33,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let continuous = &mut attributes[..config.continuous as usize];
     continuous.iter_mut().for_each(|attribute| *attribute = normalized(*attribute));
     Fragment { end, column, row, depth, attributes }.outputs(&program, config);
-    compile(&program, options)
+    datapath::unit(&units::normalizer::UNIT, config, &program, options)
 }
 
 /// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.

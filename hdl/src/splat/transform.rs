@@ -1,11 +1,11 @@
 //! Transform (thesis table 5.1, top); golden twin: `pointcore_golden::splat::transform`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
-use crate::units::datapath::dot;
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
+use crate::units::datapath::{self, dot};
 use crate::units::values::Terms;
 use pointcore_contract::Format;
 use pointcore_contract::splat::records::{ModelView, Splat};
-use pointcore_contract::splat::units::transform::PORTS;
+use pointcore_contract::splat::units::{self, transform::PORTS};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use std::array::from_fn;
 
@@ -27,6 +27,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let turned = rotate(splat.center);
     let center: [_; 3] = from_fn(|i| turned[i] + rows[i][3]);
     let tangents = splat.tangents.map(rotate);
+    let [[v1_x, v1_y, v1_z], [v2_x, v2_y, v2_z]] = tangents;
+    let [u_x, u_y, u_z] = center;
+    name!(u_x, u_y, u_z, v1_x, v1_y, v1_z, v2_x, v2_y, v2_z);
     program.keep_if(splat.end | near.lt(center[2]));
 
     let mut attributes = splat.attributes;
@@ -35,7 +38,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         continuous.iter_mut().for_each(|attribute| *attribute = finite(&program, format, *attribute));
     }
     Splat { end: splat.end, center, tangents, attributes }.outputs(&program, config);
-    compile(&program, &options.with_interval(config.transform_interval))
+    datapath::unit(&units::transform::UNIT, config, &program, &options.with_interval(config.transform_interval))
 }
 
 /// A number as it is, the largest of its sign instead of an infinity, zero instead of a NaN.

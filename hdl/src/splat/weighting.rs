@@ -1,10 +1,11 @@
 //! A sample's contributions (thesis eq. 5.10); golden twin: `pointcore_golden::splat::weighting`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
+use crate::units::datapath;
 use crate::units::values::Terms;
 use pointcore_contract::splat::config::WEIGHT_BITS;
 use pointcore_contract::splat::records::{Sample, WeightedSample};
-use pointcore_contract::splat::{AttributeFormat, Config};
+use pointcore_contract::splat::{AttributeFormat, Config, units};
 
 /// Multiplies depth and continuous attributes by the kernel weight.
 ///
@@ -19,6 +20,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         // A bit more: its sign. The product then has a bit that is its sign's once more.
         AttributeFormat::Fixed(_) => weight.zext(WEIGHT_BITS + 1).reinterpret(Type::Signed(WEIGHT_BITS + 1)),
     };
+    name!(factor);
     let contribution = |attribute: Value| match config.attribute {
         AttributeFormat::Float(format) => factor * attribute.as_float(format),
         AttributeFormat::Fixed(fraction) => {
@@ -31,5 +33,5 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     continuous.iter_mut().for_each(|attribute| *attribute = contribution(*attribute));
     let weighted = WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes };
     weighted.outputs(&program, config);
-    compile(&program, options)
+    datapath::unit(&units::weighting::UNIT, config, &program, options)
 }

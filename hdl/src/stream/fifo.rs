@@ -47,13 +47,13 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
 
     let is_full = if depth.is_power_of_two() { held.msb() } else { held.eq_lit(depth as u128) };
     let has_room = m.wire("has_room", !is_full);
-    m.ready(&input, has_room);
+    m.drive(input.ready, has_room);
     let push = m.wire("push", input.transfer());
     let entries = match storage {
         Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
-    m.write(entries, push, write_address, input.field("data"));
+    m.write(entries, push, write_address, input.data);
 
     let out_ready = m.forward("out_taken", 1);
     let pop = m.wire("pop", out_valid & out_ready);

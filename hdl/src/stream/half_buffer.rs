@@ -17,8 +17,8 @@ pub fn half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let input = m.packed_in("in", layout);
     let full = m.reg_reset("full", 1, 0);
     let item = m.reg("item", width);
-    m.ready(&input, !full);
-    m.next_if(item, !full, input.field("data"));
+    m.drive(input.ready, !full);
+    m.next_if(item, !full, input.data);
 
     let out_ready = m.packed_out("out", full, item, layout);
     m.next(full, full.mux(!out_ready, input.valid));

@@ -14,7 +14,7 @@ pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let width = item_width(layout);
     m.variant("width", width);
     let input = m.packed_in("in", layout);
-    let item = input.field("data");
+    let item = input.data;
 
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let second_valid = m.reg_reset("second_valid", 1, 0);
@@ -22,7 +22,7 @@ pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let second = m.reg("second", width);
 
     let out_ready = m.packed_out("out", out_valid, head, layout);
-    m.ready(&input, !second_valid);
+    m.drive(input.ready, !second_valid);
 
     // The head is free or leaves: the second item, or else the one that comes in, takes its place.
     let advance = m.wire("advance", !out_valid | out_ready);

@@ -1,16 +1,14 @@
 //! Queues of records inside a unit, and the register behind one.
 
-use std::marker::PhantomData;
-
+use super::passage::Passage;
 use super::ports::Flow;
 use super::wires::{Bundle, Wired};
 use pointcore_contract::Record;
-use rtl::{Expr, Instance, Module, Reg, Wire};
+use rtl::{Expr, Module, Reg, Wire};
 
 /// The side of a queue that takes records.
 pub(crate) struct Pushed<R> {
-    instance: Instance,
-    record: PhantomData<R>,
+    queue: Passage<R>,
     /// An item can be pushed in this cycle.
     pub room: Expr,
 }
@@ -18,15 +16,15 @@ pub(crate) struct Pushed<R> {
 impl<R: Record> Pushed<R> {
     /// Places a queue; returns both of its sides.
     pub fn place(m: &mut Module, config: &R::Config, name: &str, queue: Module) -> (Self, Flow<Wired<R>>) {
-        let instance = m.instance(name, queue);
-        let room = m.out(instance, "in_ready");
-        (Self { instance, record: PhantomData, room }, Flow::from(m, config, instance, "out"))
+        let queue = Passage::place(m, name, queue);
+        let room = queue.room(m);
+        let out = queue.out(m, config);
+        (Self { queue, room }, out)
     }
 
     /// Offers a record in cycles where `valid` is set; to be called once.
     pub fn push(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
-        m.connect(self.instance, "in_valid", valid);
-        record.connect(m, config, self.instance, "in_");
+        self.queue.push(m, config, valid, record);
     }
 }
 

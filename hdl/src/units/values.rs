@@ -3,7 +3,7 @@
 //! A [`Terms`] is a record whose values are those of a [`Program`]. Inputs and outputs of datapaths take names, widths and order from
 //! the record's own description, as ports do from a [`Bundle`](super::wires::Bundle).
 
-use pointcore_contract::{Domain, Field, Format, Record, Visit, Visitor, Word, fields};
+use pointcore_contract::{Domain, Field, Format, Places, Record, Visitor, Word, fields, places};
 
 use crate::compiler::{Program, Type, Value};
 
@@ -51,13 +51,7 @@ pub(crate) trait Terms: Record<Domain = Values> {
 
     /// Every field as an input of the program, its bits as they come: [`Value::as_float`] reads them as a number.
     fn inputs(program: &Program, config: &Self::Config) -> Self {
-        Self::prefixed_inputs(program, config, "")
-    }
-
-    /// As [`Terms::inputs`], called `<prefix><field>`.
-    fn prefixed_inputs(program: &Program, config: &Self::Config, prefix: &str) -> Self {
-        let name = |field: &Field| format!("{prefix}{}", field.name);
-        Self::from_fields(config, |field| program.input(&name(field), Type::Unsigned(field.width)))
+        Self::from_fields(config, |field| program.input(&field.name, Type::Unsigned(field.width)))
     }
 
     /// Every field as a uniform of the program that holds a number of `format`.
@@ -74,28 +68,6 @@ pub(crate) trait Terms: Record<Domain = Values> {
 
 impl<R: Record<Domain = Values>> Terms for R {}
 
-/// The terms of what is declared later: a field's place in its record.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Places;
-
-/// A field's place in its record.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Place(usize);
-
-impl Domain for Places {
-    type Bits<W: Word> = Place;
-}
-
-/// Numbers the fields of a record.
-struct Counter(usize);
-
-impl Visitor<Places> for Counter {
-    fn bits<W: Word>(&mut self, place: &mut Place) {
-        *place = Place(self.0);
-        self.0 += 1;
-    }
-}
-
 /// Uniforms of a program that are declared where they are first used: among operands the compiler puts the oldest first.
 pub(crate) struct Uniforms<'a, R: Record> {
     program: &'a Program,
@@ -107,15 +79,13 @@ pub(crate) struct Uniforms<'a, R: Record> {
 impl<'a, R: Record> Uniforms<'a, R> {
     /// Uniforms that hold numbers of `format`.
     pub fn new(program: &'a Program, config: &R::Config, format: Format) -> Self {
-        let mut places = R::In::<Places>::default();
-        places.visit(config, &mut Counter(0));
         let names = fields::<R>(config).into_iter().map(|field| field.name).collect();
-        Self { program, format, names, places }
+        Self { program, format, names, places: places::<R>(config) }
     }
 
     /// Declares one of them, once.
-    pub fn declare(&self, field: impl FnOnce(&R::In<Places>) -> Place) -> Value {
-        let Place(place) = field(&self.places);
+    pub fn declare(&self, field: impl FnOnce(&R::In<Places>) -> Option<usize>) -> Value {
+        let place = field(&self.places).expect("datapaths read the uniforms that they have");
         self.program.uniform(&self.names[place], Type::Float(self.format))
     }
 }

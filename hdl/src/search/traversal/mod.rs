@@ -15,11 +15,13 @@ use pointcore_contract::search::units::traversal::PORTS;
 use super::parts::coordinates::coordinates;
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
-use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::operator::Placed;
+use crate::units::passage::Passage;
+use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::values::{Terms, Values};
-use crate::units::wires::{Bundle, Wires};
+use crate::units::wires::Bundle;
 use nodes::{Nodes, Place, Token};
-use rtl::{Expr, Instance, Module, bit, cat};
+use rtl::{Expr, Module, bit, cat};
 
 /// What `s` sends through the path datapath.
 #[record(config: Config)]
@@ -50,7 +52,7 @@ fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError
     let program = Program::new("search_path", "Squared distance of a query to a splitting plane.");
     let Step { is_leaf, descent, coordinate, split } = Step::<Values>::inputs(&program, config);
     let [coordinate, split] = [coordinate, split].map(|value| value.as_float(config.geometry));
-    let distance = coordinate - split;
+    let distance = (coordinate - split).named("distance");
     let path = Path { node: descent.node, distance2: distance * distance };
     Passed { is_leaf, push: Push { thread: descent.thread, path } }.outputs(&program, config);
     compile(&program, options)
@@ -69,8 +71,8 @@ fn leaf_number(node: Expr) -> Expr {
 }
 
 /// What leaves the datapath is always taken: a path not taken, or a leaf that is reached.
-fn show(m: &mut Module, config: &Config, path: Instance) {
-    let out = Flow::<Passed<Wires>>::from(m, config, path, "out");
+fn show(m: &mut Module, config: &Config, path: &Passage<Step, Passed>) {
+    let out = path.out(m, config);
     m.drive(out.ready, bit(true));
     let Passed { is_leaf, push } = out.record;
     PORTS.push.drive(m, config, out.valid & !is_leaf, push);
@@ -92,15 +94,15 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let resume = PORTS.resume.queue(&mut m, config);
     let leaf = PORTS.leaf.queue(&mut m, config);
     let Datapath { module, manifest } = distance(config, options)?;
-    let path = m.instance("path", module);
+    let path = Passage::<Step, Passed>::place(&mut m, "path", module);
     let nodes = Nodes::new(&mut m, config);
     let [f, v, s] = ["f", "v", "s"].map(|stage| Token::new(&mut m, config, stage));
     let [f_is_child, s_at_leaf] = ["f_is_child", "s_at_leaf"].map(|name| m.reg(name, 1));
     let [s_coordinate, s_split] = ["s_coordinate", "s_split"].map(|name| m.reg(name, coordinate_bits));
-    let less = m.instance("less", compare::lt(config.geometry, 1).module);
-    let left = m.out(less, "y");
+    let less = Placed::new(&mut m, "less", compare::lt(config.geometry, 1).module);
+    let left = less.result(&mut m);
 
-    let accepts = m.out(path, "in_ready");
+    let accepts = path.room(&mut m);
     let advance = m.forward("advance", 1);
 
     // f → v: a child's lowest bit says on which side of its parent's plane the query is.
@@ -139,17 +141,14 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let coordinate = m.wire("coordinate", node.dimension.pick(point));
     m.next_if(s_coordinate, advance, coordinate);
     m.next_if(s_split, advance, node.split);
-    m.connect(less, "enable", advance);
-    m.connect(less, "a", coordinate);
-    m.connect(less, "b", node.split);
+    less.feed(&mut m, advance, [coordinate, node.split]);
 
     // s: the far child, or that the leaf is reached, goes through the path datapath.
     let far = cat([s.descent.node.trunc(tree_depth), left]);
-    m.connect(path, "in_valid", s.valid & proceeds);
     let (is_leaf, descent) = (s_at_leaf.expr(), Descent { thread: s.descent.thread, node: far });
     let step = Step { is_leaf, descent, coordinate: s_coordinate.expr(), split: s_split.expr() };
-    step.connect(&mut m, config, path, "in_");
+    path.push(&mut m, config, s.valid & proceeds, step);
 
-    show(&mut m, config, path);
+    show(&mut m, config, &path);
     Ok(Datapath { module: m, manifest })
 }

@@ -9,6 +9,7 @@ use pointcore_contract::splat::{AttributeFormat, Config};
 use super::sample::Contribution;
 use crate::float::{Operator, add};
 use crate::splat::depth_test;
+use crate::units::operator::Placed;
 use crate::units::ports::WordPort;
 use crate::units::wires::Wires;
 use rtl::{Expr, Module, bit, cat, lit};
@@ -55,11 +56,9 @@ impl Adder {
     fn sum(&self, m: &mut Module, name: &str, [stored, contribution]: [Expr; 2], cycles: u32) -> Expr {
         let (sum, cycles) = match self {
             Self::Float { format, operator } => {
-                let add = m.instance(&format!("add_{name}"), operator.module.clone());
-                m.connect(add, "enable", bit(true));
-                m.connect(add, "a", stored);
-                m.connect(add, "b", contribution);
-                let sum = m.out(add, "y");
+                let add = Placed::new(m, &format!("add_{name}"), operator.module.clone());
+                add.feed(m, bit(true), [stored, contribution]);
+                let sum = add.result(m);
                 (saturated(m, name, *format, sum), cycles - operator.latency)
             }
             Self::Fixed => (stored + contribution.sext(stored.width()), cycles),

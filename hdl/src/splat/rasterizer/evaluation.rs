@@ -2,7 +2,7 @@
 
 use super::fixed_distance;
 use super::position::{Evaluated, Position};
-use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile, name};
 use crate::float::exp_neg;
 use crate::splat::parts::division::squared_ratio;
 use crate::units::values::{Terms, Values};
@@ -46,6 +46,7 @@ pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, C
         Squared::Fixed(squared) => squared.covered,
     };
     let inside = covered & !end;
+    name!(covered);
     program.keep_if(inside | last | end);
     let kernel = kernel(config)?;
     let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
@@ -92,6 +93,8 @@ fn floating(config: &Config, format: Format, program: &Program, position: &Posit
         let screen = (x * x + y * y) * program.uniform(PORTS.filter_scale.name, Type::Float(format));
         distance = distance.min(screen);
     }
+    let rho_squared = distance;
+    name!(x, y, s1, s2, d, rho_squared);
     Squared::Float { format, distance, offset: [x, y] }
 }
 
@@ -131,6 +134,7 @@ fn depth_band(format: Format, program: &Program, plane: &DepthPlane<Values>, [x,
     let [near, far] = plane.range;
     let on_plane = number(plane.center) + x * number(along_x) + y * number(along_y);
     let depth = on_plane.max(number(near)).min(number(far));
+    name!(on_plane);
     let (low, high) = (depth - number(plane.epsilon), depth + number(plane.epsilon));
     let zero = program.float(format, 0.0);
     let shape = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };

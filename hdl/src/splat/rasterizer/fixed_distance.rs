@@ -2,7 +2,7 @@
 //! `pointcore_golden::splat::fixed_distance`.
 
 use super::position::Shape;
-use crate::compiler::{Program, Type, Value};
+use crate::compiler::{Program, Type, Value, name};
 use crate::splat::setup::fixed_footprint::magnitude;
 use crate::units::values::Values;
 use pointcore_contract::Fixed;
@@ -45,6 +45,7 @@ pub(super) fn squared(
     let [(column, column_fraction), (row, row_fraction)] = places;
     let x = evaluation.offset(column, column_fraction, shape.center[0]);
     let y = evaluation.offset(row, row_fraction, shape.center[1]);
+    name!(x, y);
     let on_splat = evaluation.on_splat(config, x, y);
     if !config.screen_filter.is_on() {
         return on_splat;
@@ -98,6 +99,7 @@ impl Evaluation<'_> {
         let (d_bits, s_bits) = (magnitude(d), [s1, s2].map(|s| magnitude(s).resize(2 * n)));
         let (significant, beyond) = self.significant(d_bits, s_bits);
         let [denominator, first, second] = significant.map(|part| part * part);
+        name!(s1, s2, d, denominator);
         let sum = first.resize(SQUARE + 1) + second.resize(SQUARE + 1);
         let mut covered = sum.lt(denominator.resize(SQUARE + 1)) & !beyond;
         if config.eye_plane.is_on() {

@@ -7,6 +7,7 @@ mod position;
 
 use crate::compiler::{CompileError, Datapath, Options};
 use crate::stream;
+use crate::units::passage::Passage;
 use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, Wires, layout};
 use pointcore_contract::splat::Config;
@@ -100,10 +101,11 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let Datapath { module: evaluation, manifest } = evaluation::datapath(config, options)?;
     let mut m = Module::new("splat_rasterizer", "Samples of a splat copy, one a cycle, with their kernel weights.");
     let copy = PORTS.input.declare(&mut m, config);
-    let evaluation = m.instance("evaluation", evaluation);
-    let advance = m.out(evaluation, "in_ready");
-    let queue = m.instance("shared", stream::fifo(COPY_QUEUE_DEPTH, &layout::<Shared>(config)));
-    let queue_ready = m.out(queue, "in_ready");
+    let evaluation = Passage::<Position, Evaluated>::place(&mut m, "evaluation", evaluation);
+    let advance = evaluation.room(&mut m);
+    let queue = stream::fifo(COPY_QUEUE_DEPTH, &layout::<Shared>(config));
+    let queue = Passage::<Shared>::place(&mut m, "shared", queue);
+    let queue_ready = queue.room(&mut m);
 
     let scanner = Scanner::new(&mut m, config);
     let ready = m.wire("take", (advance & scanner.idle) & queue_ready);
@@ -112,24 +114,21 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     scanner.step(&mut m, &copy, advance, ready);
     let splat = copy.record.copy;
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
-    m.connect(evaluation, "in_valid", scanner.busy);
-    scanner.position(config, shape).connect(&mut m, config, evaluation, "in_");
-    m.connect(queue, "in_valid", load & !splat.end);
+    evaluation.push(&mut m, config, scanner.busy, scanner.position(config, shape));
     let shared = Shared { band: splat.footprint.band, attributes: splat.attributes };
-    shared.connect(&mut m, config, queue, "in_");
+    queue.push(&mut m, config, load & !splat.end, shared);
 
-    let Evaluated { place, band } = Evaluated::shown_by(&mut m, config, evaluation, "out_");
-    let shared = Shared::shown_by(&mut m, config, queue, "out_");
+    let (valid, Evaluated { place, band }) = evaluation.shown(&mut m, config);
+    let (_, shared) = queue.shown(&mut m, config);
     let band = if config.has_depth_plane() { band } else { shared.band };
-    let valid = m.out(evaluation, "out_valid");
     let sample = Sample { place, band, attributes: shared.attributes };
     let out_ready = PORTS.out.drive(&mut m, config, valid, sample);
-    m.connect(evaluation, "out_ready", out_ready);
-    m.connect(queue, "out_ready", (out_ready & valid) & place.last);
+    evaluation.take(&mut m, out_ready);
+    queue.take(&mut m, (out_ready & valid) & place.last);
 
     if config.screen_filter.is_on() {
         let filter_scale = PORTS.filter_scale.declare_word(&mut m, config.filter_scale_format().width());
-        PORTS.filter_scale.feed_word(&mut m, evaluation, filter_scale);
+        PORTS.filter_scale.feed_word(&mut m, evaluation.instance(), filter_scale);
     }
     let busy = scanner.busy.expr();
     let events = RasterizerEvents {

@@ -25,7 +25,7 @@ pub(super) struct Shape {
     /// `B` in y.
     #[bits(config.raster_format().coefficient_width())]
     by: u32,
-    /// `Δ`.
+    /// The determinant of `A` and `B`.
     #[bits(config.raster_format().delta_width())]
     delta: u32,
     /// `m` in x.

@@ -1,10 +1,10 @@
 //! A splat along the axes of the image: its projection and the samples within its bounds.
 
-use crate::compiler::{Program, Type, Value};
+use crate::compiler::{Program, Type, Value, name};
 use crate::splat::parts::division::{recip, sqrt};
 use crate::units::values::{Uniforms, Values};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Splat, Viewport};
+use pointcore_contract::splat::records::{AXES, Splat, Viewport};
 use pointcore_contract::splat::units::setup::PORTS;
 use pointcore_contract::{Fixed, Format, Sampling, Signedness};
 
@@ -84,6 +84,7 @@ impl<'a> Frame<'a> {
         let q = alpha * alpha + beta * beta;
         let e = one - q;
         let f = recip(config.division, e);
+        name!(r, alpha, beta, q, e, f);
         let whole = config.eye_plane.is_on().then(|| program.float(format, clearance(format)).lt(e).named("whole"));
         let has_filter = config.screen_filter.is_on();
         let filter_radius = has_filter.then(|| program.uniform(PORTS.filter_radius.name, Type::Float(format)));
@@ -113,11 +114,13 @@ impl<'a> Frame<'a> {
         let h = self.sqrt(t * t + (a * a + b * b) * self.f);
         let middle = center - t;
         let (mut low, mut high) = (middle - h, middle + h);
+        name!(in AXES[axis]; v, a, b, center, t, h, low, high);
         if let Some(radius) = self.filter_radius {
             low = low.min(center - radius);
             high = high.max(center + radius);
         }
         let (first, last, occupied) = self.samples(low, high, grid);
+        name!(in AXES[axis]; first, last, occupied);
         let top = self.config.geometry.width() - 1;
         Axis { mirrored: scale.bits(top, top), center, a, b, first, last, occupied }
     }

@@ -1,7 +1,7 @@
 //! Depth of a splat: at its centre, over the splat, and the band that counts as its surface (eq. 5.8, 5.9).
 
 use super::axes::Frame;
-use crate::compiler::Value;
+use crate::compiler::{Value, name};
 use crate::units::values::{Uniforms, Values};
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::records::{Band, DepthPlane, EpsilonScale};
@@ -40,6 +40,8 @@ impl Depth {
         let half = beyond_near.mux(spread_half, b.abs().min(one));
         let uniforms = Uniforms::<EpsilonScale>::new(frame.program, frame.config, frame.config.geometry);
         let epsilon = half * uniforms.declare(|epsilon| epsilon.scale) + uniforms.declare(|epsilon| epsilon.bias);
+        name!(in "depth"; b, center, middle, half);
+        name!(spread_middle, spread_half, epsilon);
         Self { zero, one, b, center, spread: [spread_middle, spread_half], beyond_near, middle, epsilon }
     }
 

@@ -6,14 +6,15 @@ mod depth;
 pub(super) mod fixed_footprint;
 
 use super::parts::division::recip;
-use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, name};
 use crate::float::mul;
+use crate::units::datapath;
 use crate::units::values::{Terms, Values};
 use axes::{Frame, Grid};
 use depth::Depth;
 use pointcore_contract::Format;
 use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Splat};
-use pointcore_contract::splat::{Config, RasterFormat};
+use pointcore_contract::splat::{Config, RasterFormat, units};
 
 /// A splat's projection, in the geometry format.
 struct Projection {
@@ -90,6 +91,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let edge_on = cancelled(&program, format, delta, diagonal).named("edge_on");
     let mx = beta * y.a - alpha * y.b;
     let my = alpha * x.b - beta * x.a;
+    name!(delta, mx, my);
 
     let depth = Depth::new(&frame);
     let mut visible = depth.center.le(one) & x.occupied & y.occupied;
@@ -99,6 +101,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     }
     let raster = config.raster_format().floating().unwrap_or(format);
     let no_delta = program.constant(Type::Float(raster), raster.quiet_nan());
+    name!(visible);
     program.keep_if(splat.end | visible);
     let per_pixel = columns.ilog2();
     let projection = Projection {
@@ -123,5 +126,10 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     SetupSplat { end, footprint, attributes, bounds }.outputs(&program, config);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;
-    compile(&program, &options.with_interval(config.setup_interval).with_stages(&format!("mul.{format}"), spare))
+    datapath::unit(
+        &units::setup::UNIT,
+        config,
+        &program,
+        &options.with_interval(config.setup_interval).with_stages(&format!("mul.{format}"), spare),
+    )
 }
