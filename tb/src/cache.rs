@@ -4,14 +4,20 @@ use std::fmt;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use crate::scratch::Scratch;
 use sha2::{Digest, Sha256};
 
 /// File of an entry that holds the hashes of the others.
 const CHECKSUMS: &str = "checksums";
 
+/// The variable of the environment that says where caches are.
+const VARIABLE: &str = "POINTCORE_CACHE";
+/// What the folder of a build under way is called, before the build's key.
+const UNFINISHED: &str = ".build-";
+
 /// A file that could not be read or written.
 #[derive(Debug, thiserror::Error)]
-#[error("{action} {}: {source}", path.display())]
+#[error("cannot {action} {}: {source}{remedy}", path.display())]
 pub struct FileError {
     /// What was tried.
     pub action: &'static str,
@@ -19,6 +25,8 @@ pub struct FileError {
     pub path: PathBuf,
     /// What the operating system said.
     pub source: std::io::Error,
+    /// What to do, after a colon; may be empty.
+    pub remedy: String,
 }
 
 /// A folder of finished builds.
@@ -43,7 +51,7 @@ impl Cache {
     /// `POINTCORE_CACHE`, else the folder `name` in cargo's target folder.
     #[must_use]
     pub fn default_folder(name: &str) -> PathBuf {
-        std::env::var_os("POINTCORE_CACHE").map_or_else(|| target_folder().join(name), PathBuf::from)
+        std::env::var_os(VARIABLE).map_or_else(|| target_folder().join(name), PathBuf::from)
     }
 
     /// The folder of entry `key`, if it is there and whole.
@@ -62,29 +70,45 @@ impl Cache {
         key: &str,
         build: impl FnOnce(&Path) -> Result<(), E>,
     ) -> Result<PathBuf, E> {
-        fs::create_dir_all(&self.folder).map_err(file("create", &self.folder))?;
-        let lock_path = self.folder.join(format!("{key}.lock"));
-        let lock = File::create(&lock_path).map_err(file("create", &lock_path))?;
-        lock.lock().map_err(file("lock", &lock_path))?;
+        fs::create_dir_all(&self.folder).map_err(kept("create", &self.folder))?;
+        let lock_path = self.lock(key);
+        let lock = File::create(&lock_path).map_err(kept("create", &lock_path))?;
+        lock.lock().map_err(kept("lock", &lock_path))?;
         let entry = self.folder.join(key);
         if intact(&entry) {
             return Ok(entry);
         }
         if entry.exists() {
-            fs::remove_dir_all(&entry).map_err(file("remove", &entry))?;
+            fs::remove_dir_all(&entry).map_err(kept("remove", &entry))?;
         }
-        let scratch = tempfile::Builder::new()
-            .prefix(".build-")
-            .tempdir_in(&self.folder)
-            .map_err(file("create a folder in", &self.folder))?;
+        self.sweep();
+        let folder = self.folder.join(format!("{UNFINISHED}{key}"));
+        let scratch = Scratch::create(folder.clone()).map_err(kept("create", &folder))?;
         let content = scratch.path().join("content");
-        fs::create_dir(&content).map_err(file("create", &content))?;
+        fs::create_dir(&content).map_err(kept("create", &content))?;
         build(&content)?;
         let sums = checksums(&content).map_err(file("read", &content))?;
         let path = content.join(CHECKSUMS);
-        fs::write(&path, sums).map_err(file("write", &path))?;
-        fs::rename(&content, &entry).map_err(file("move a build to", &entry))?;
+        fs::write(&path, sums).map_err(kept("write", &path))?;
+        fs::rename(&content, &entry).map_err(kept("move a build to", &entry))?;
         Ok(entry)
+    }
+
+    fn lock(&self, key: &str) -> PathBuf {
+        self.folder.join(format!("{key}.lock"))
+    }
+
+    /// Removes what killed processes have left: builds whose locks nobody holds.
+    fn sweep(&self) {
+        for item in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
+            let name = item.file_name();
+            let Some(key) = name.to_str().and_then(|name| name.strip_prefix(UNFINISHED)) else { continue };
+            let is_abandoned = File::open(self.lock(key)).is_ok_and(|lock| lock.try_lock().is_ok());
+            if is_abandoned {
+                // Another process may be faster.
+                _ = fs::remove_dir_all(item.path());
+            }
+        }
     }
 }
 
@@ -134,7 +158,14 @@ pub fn digest(value: &impl fmt::Debug) -> String {
 /// Turns an I/O error into ours.
 pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> FileError {
     let path = path.to_path_buf();
-    move |source| FileError { action, path, source }
+    move |source| FileError { action, path, source, remedy: String::new() }
+}
+
+/// As [`file`], of a file in the cache's own folder.
+pub(crate) fn kept(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> FileError {
+    let error = file(action, path);
+    let remedy = format!(": set {VARIABLE} to a folder that can be written");
+    move |source| FileError { remedy, ..error(source) }
 }
 
 /// Whether every file of the entry still has the contents it was stored with. Loading a truncated library would be fatal.
@@ -179,6 +210,37 @@ mod tests {
         assert_eq!(cache.existing("entry"), Some(built.clone()));
         fs::write(built.join("result"), "4").expect("a temporary folder can be written");
         assert_eq!(cache.existing("entry"), None, "it was damaged");
+    }
+
+    #[test]
+    fn what_a_killed_process_left_is_removed_by_the_next() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let cache = Cache::new(folder.path().to_owned());
+        let build = |key: &str, during: &dyn Fn()| {
+            cache.entry(key, |_| {
+                during();
+                Ok::<_, FileError>(())
+            })
+        };
+        let there = |key: &str| folder.path().join(format!("{UNFINISHED}{key}")).exists();
+        fs::create_dir(folder.path().join(format!("{UNFINISHED}killed"))).expect("a temporary folder can be written");
+        fs::write(folder.path().join("killed.lock"), "").expect("a temporary folder can be written");
+        let within = || {
+            assert!(there("outer") && !there("killed"));
+            build("inner", &|| assert!(there("outer"), "what is under way stays")).expect("it can be written");
+        };
+        build("outer", &within).expect("a temporary folder can be written");
+        assert!(!there("outer") && !there("inner"));
+    }
+
+    #[test]
+    fn a_cache_that_cannot_be_written_names_its_variable() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let file = folder.path().join("file");
+        fs::write(&file, "").expect("a temporary folder can be written");
+        let error =
+            Cache::new(file.join("cache")).entry("entry", |_| Ok::<_, FileError>(())).expect_err("it is a file");
+        assert!(error.to_string().contains("POINTCORE_CACHE"), "{error}");
     }
 
     #[test]

@@ -10,12 +10,14 @@
 //!   the inputs itself, with random stalls; for whole cores a [`lockstep::Stimulus`] plays what is around them. A failure names cycle,
 //!   port, both values and the command that reproduces it, and replays the last cycles into a waveform.
 //! - [`cache`] keeps what tools make, shared by threads and processes; [`toolchain`] finds them and knows their versions.
+//! - [`scratch`] removes what is left of work that was interrupted.
 //! - [`skipped`] has tests that cannot run say so.
 //!
 //! The tests of this crate are the unit tests of pointcore's cores. Only they depend on the cores and their models.
 
 pub mod cache;
 pub mod lockstep;
+pub mod scratch;
 pub mod skipped;
 pub mod toolchain;
 pub mod verilated;

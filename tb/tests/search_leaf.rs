@@ -84,7 +84,7 @@ fn leaves_agree_with_the_model() {
             visits
         };
         let model = Leaf::new(&config, unit.manifest.latency);
-        lockstep(&config, &unit.module, &model, &units::leaf::UNIT.ports(&config), begin, all, |_, report| {
+        lockstep(&config, &unit.module, &model, &units::leaf::UNIT, begin, all, |_, report| {
             assert_eq!(report.transfers("fetch"), if config.tree_cache == 0 { LEAVES } else { 0 });
             assert!(report.transfers("candidates") >= LEAVES, "every leaf has a beat");
             assert_eq!(report.transfers("candidates"), report.transfers("beat"));

@@ -295,7 +295,7 @@ fn neighborhoods_agree_with_the_model_and_with_brute_force() {
             &config,
             &unit.module,
             &model,
-            &units::neighbor_cache::UNIT.ports(&config),
+            &units::neighbor_cache::UNIT,
             begin,
             all,
             |surroundings, report| {

@@ -112,7 +112,7 @@ fn leaves_are_kept_and_replaced_as_in_the_model() {
             requests
         };
         let (module, model) = (point_cache::module(&config), PointCache::new(&config));
-        lockstep(&config, &module, &model, &units::point_cache::UNIT.ports(&config), begin, all, |requests, report| {
+        lockstep(&config, &module, &model, &units::point_cache::UNIT, begin, all, |requests, report| {
             assert!(requests.left == 0 && requests.open.is_empty() && requests.answer.is_none());
             let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
             assert_eq!((hits + misses, misses), (REQUESTS, report.transfers("miss")));

@@ -97,7 +97,7 @@ fn queues_agree_with_the_model_and_with_sorting() {
             searches
         };
         let (module, model) = (queue::module(&config), Queue::new(&config));
-        lockstep(&config, &module, &model, &units::queue::UNIT.ports(&config), begin, all, |searches, report| {
+        lockstep(&config, &module, &model, &units::queue::UNIT, begin, all, |searches, report| {
             assert_eq!(report.transfers("finish"), QUERIES);
             assert_eq!(searches.found, searches.expected);
         });

@@ -84,7 +84,7 @@ fn recursion_agrees_with_the_model() {
             &config,
             &module,
             &model,
-            &units::recursion::UNIT.ports(&config),
+            &units::recursion::UNIT,
             begin,
             all,
             |surroundings, report| {

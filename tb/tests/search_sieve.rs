@@ -123,7 +123,7 @@ fn beats_without_a_near_point_are_taken_out_as_in_the_model() {
             searches
         };
         let (module, model) = (sieve::module(&config), Sieve::new(&config));
-        lockstep(&config, &module, &model, &units::sieve::UNIT.ports(&config), begin, all, |searches, report| {
+        lockstep(&config, &module, &model, &units::sieve::UNIT, begin, all, |searches, report| {
             assert_eq!(searches.leaves_left, 0);
             assert!(searches.threads.iter().all(|(_, left, under_way)| left + under_way == 0));
             assert!(searches.beats.iter().all(|beat| !searches.is_near(beat)), "the last beats are lost");

@@ -96,7 +96,7 @@ fn stacks_agree_with_the_model() {
             &config,
             &module,
             &model,
-            &units::stack::UNIT.ports(&config),
+            &units::stack::UNIT,
             begin,
             top_of_nothing,
             |batches, report| {

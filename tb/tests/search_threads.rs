@@ -41,7 +41,7 @@ fn threads_agree_with_the_model_until_every_query_is_finished() {
             Searches
         };
         let (module, model) = (threads::module(&config), Threads::new(&config));
-        lockstep(&config, &module, &model, &units::threads::UNIT.ports(&config), begin, all, |_, report| {
+        lockstep(&config, &module, &model, &units::threads::UNIT, begin, all, |_, report| {
             assert_eq!(report.transfers("finish"), QUERIES);
             let [done, skipped] = ["leaf_done", "skipped"].map(|end| report.transfers(end));
             assert_eq!(report.transfers("reached"), done + skipped);

@@ -211,7 +211,7 @@ fn searches_agree_with_the_model_and_with_brute_force() {
             &config,
             &core.module,
             &Top::new(&config, latencies),
-            &units::top::UNIT.ports(&config),
+            &units::top::UNIT,
             begin,
             all,
             |host, report| {

@@ -96,7 +96,7 @@ fn descents_agree_with_the_model_and_visit_every_leaf() {
             &config,
             &unit.module,
             &model,
-            &units::traversal::UNIT.ports(&config),
+            &units::traversal::UNIT,
             begin,
             all,
             |threads, report| {

@@ -117,7 +117,7 @@ fn records_are_kept_and_replaced_as_in_the_model() {
             requests
         };
         let (module, model) = (tree_cache::module(&config), TreeCache::new(&config));
-        lockstep(&config, &module, &model, &units::tree_cache::UNIT.ports(&config), begin, all, |requests, report| {
+        lockstep(&config, &module, &model, &units::tree_cache::UNIT, begin, all, |requests, report| {
             assert!(requests.left == 0 && requests.nodes.is_empty() && requests.leaves.is_empty());
             let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
             assert_eq!((hits + misses, misses), (REQUESTS - requests.deepest, report.transfers("lookup")));

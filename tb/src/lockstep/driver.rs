@@ -17,9 +17,6 @@ const DEFAULT_LIMIT: u64 = 1_000_000;
 /// Cycles in the waveform of a failure, unless another number is set.
 const DEFAULT_RECORDED: u64 = 200;
 
-/// What names of outputs that tell of events begin with.
-const EVENT_PREFIX: &str = "event_";
-
 /// Hardware and golden model side by side.
 pub struct Lockstep<G> {
     library: Arc<Library>,
@@ -48,7 +45,7 @@ pub struct LockstepReport {
     pub cycles: u64,
     /// Items transferred by each stream.
     pub transfers: Vec<(String, u64)>,
-    /// Cycles in which each output `event_…` was set.
+    /// Cycles in which each output of one bit was set that is no part of a stream, as those are that tell of events.
     pub events: Vec<(String, u64)>,
 }
 
@@ -59,7 +56,7 @@ impl LockstepReport {
         count(&self.transfers, name)
     }
 
-    /// Cycles in which the output `name` was set; 0 for one that is no event.
+    /// Cycles in which the output `name` was set; 0 for one that is no such output.
     #[must_use]
     pub fn events(&self, name: &str) -> u64 {
         count(&self.events, name)
@@ -213,7 +210,7 @@ impl State {
         let reset = library.inputs().iter().position(|port| port.name == RESET);
         let outputs = vec![0; library.outputs().len()];
         let protocol = Protocol::new(streams, reset);
-        let is_event = |&output: &usize| library.outputs()[output].name.starts_with(EVENT_PREFIX);
+        let is_event = |&output: &usize| library.outputs()[output].width == 1 && !streams.have_output(output);
         let events = (0..outputs.len()).filter(is_event).map(|output| (output, 0)).collect();
         Self { inputs: library.reset_inputs(), expected: outputs.clone(), outputs, protocol, events }
     }

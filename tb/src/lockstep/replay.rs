@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::failure::Waveform;
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
-use crate::cache::file;
+use crate::cache::kept;
 use crate::verilated::{Library, VerilatedError};
 
 /// Where and how a run failed.
@@ -54,7 +54,7 @@ impl Replay<'_> {
     /// A file beside the cached builds; its name says which run it is of.
     fn path(&self) -> Result<PathBuf, VerilatedError> {
         let folder = self.library.cache().join("waveforms");
-        std::fs::create_dir_all(&folder).map_err(file("create", &folder))?;
+        std::fs::create_dir_all(&folder).map_err(kept("create", &folder))?;
         let name = format!(
             "{}_{}_seed{}_cycle{}.fst",
             self.library.source().top,

@@ -87,6 +87,15 @@ impl Streams {
         self.iter().find(|stream| stream.name == name)
     }
 
+    /// Whether an output of the hardware is a stream's.
+    #[must_use]
+    pub fn have_output(&self, output: usize) -> bool {
+        self.iter().any(|stream| match stream.direction {
+            Direction::Input => stream.ready == Some(output),
+            Direction::Output => stream.valid == output || stream.fields.contains(&output),
+        })
+    }
+
     /// All streams: those the hardware consumes, then those it produces.
     pub fn iter(&self) -> std::slice::Iter<'_, StreamPorts> {
         self.0.iter()
@@ -109,7 +118,7 @@ mod tests {
     #[test]
     fn streams_have_the_ports_they_declare() {
         let inputs = ["in_valid", "in_x", "in_far_enable", "in_far_x", "in_other", "out_ready"];
-        let outputs = ["in_ready", "out_valid", "out_sum", "pulse_valid"];
+        let outputs = ["in_ready", "out_valid", "out_sum", "pulse_valid", "event"];
         let ports = |names: &[&str], direction| -> Vec<_> {
             names.iter().map(|name| Port { name: (*name).to_owned(), width: 1, direction }).collect()
         };
@@ -126,6 +135,8 @@ mod tests {
         assert_eq!((find("in_far").valid, find("in_far").ready, find("in_far").fields.as_slice()), (2, None, &[3][..]));
         assert_eq!((find("out").valid, find("out").ready, find("out").fields.as_slice()), (1, Some(5), &[2][..]));
         assert_eq!((find("pulse").direction, find("pulse").ready), (Direction::Output, None));
+        let free: Vec<_> = (0..outputs.len()).filter(|output| !streams.have_output(*output)).collect();
+        assert_eq!(free, [4], "what belongs to no stream");
         let names: Vec<_> = streams.iter().map(|stream| stream.name.as_str()).collect();
         assert_eq!(names, ["in", "in_far", "out", "pulse"], "those that come in come first");
     }

@@ -248,22 +248,26 @@ fn write(path: &Path, text: &str) -> Result<(), VerilatedError> {
     Ok(fs::write(path, text).map_err(file("write", path))?)
 }
 
+fn failed(tool: &str, what: &str, output: String) -> VerilatedError {
+    VerilatedError::Tool { tool: tool.to_owned(), top: what.to_owned(), output }
+}
+
 /// Runs the commands side by side in `folder`; the first failure is the error, with what the tool printed.
 fn run_all(commands: Vec<Command>, what: &str, folder: &Path) -> Result<(), VerilatedError> {
     let mut running = Vec::new();
     for mut command in commands {
         let tool = command.get_program().to_string_lossy().into_owned();
         command.current_dir(folder).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let child = command.spawn().map_err(file("start", Path::new(&tool)))?;
+        let child = command.spawn().map_err(|error| failed(&tool, what, format!("cannot be started: {error}")))?;
         running.push((tool, child));
     }
     let mut failure = Ok(());
     for (tool, child) in running {
-        let output = child.wait_with_output().map_err(file("wait for", Path::new(&tool)))?;
+        let output = child.wait_with_output().map_err(|error| failed(&tool, what, error.to_string()))?;
         if !output.status.success() && failure.is_ok() {
             let output = [output.stdout, output.stderr].concat();
             let output = String::from_utf8_lossy(&output).into_owned();
-            failure = Err(VerilatedError::Tool { tool, top: what.to_owned(), output });
+            failure = Err(failed(&tool, what, output));
         }
     }
     failure

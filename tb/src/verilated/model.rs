@@ -25,6 +25,7 @@ type Report = unsafe extern "C" fn(*const Instance) -> *const c_char;
 type Step = unsafe extern "C" fn(*mut Instance, *const u64, *mut u64) -> c_int;
 type RunBare = unsafe extern "C" fn(*mut Instance, *const u64, usize, u64) -> c_int;
 type OpenTrace = unsafe extern "C" fn(*mut Instance, *const c_char);
+type CloseTrace = unsafe extern "C" fn(*mut Instance);
 
 /// The shim's entry points; valid as long as the library is loaded.
 struct EntryPoints {
@@ -34,6 +35,7 @@ struct EntryPoints {
     step: Step,
     run_bare: RunBare,
     open_trace: Option<OpenTrace>,
+    close_trace: Option<CloseTrace>,
 }
 
 /// A compiled model: makes instances.
@@ -70,6 +72,10 @@ impl Library {
                 run_bare: *loaded.get(b"model_run_bare").map_err(failed)?,
                 open_trace: match options.trace {
                     Trace::On => Some(*loaded.get(b"model_open_trace").map_err(failed)?),
+                    Trace::Off => None,
+                },
+                close_trace: match options.trace {
+                    Trace::On => Some(*loaded.get(b"model_close_trace").map_err(failed)?),
                     Trace::Off => None,
                 },
             };
@@ -198,7 +204,7 @@ impl VerilatedModel {
         (0..cycles).try_for_each(|_| self.step(&inputs, &mut outputs))
     }
 
-    /// Writes all signals to the FST file `path` from the next cycle until the model is dropped.
+    /// Writes all signals to the FST file `path` from the next cycle until [`VerilatedModel::close_trace`], or until the model is dropped.
     ///
     /// # Errors
     /// When the library was built without [`Trace::On`], or the file cannot be created.
@@ -211,6 +217,14 @@ impl VerilatedModel {
         // SAFETY: the instance is alive and borrowed mutably; the shim copies the name.
         unsafe { open(self.instance.as_ptr(), name.as_ptr()) };
         Ok(())
+    }
+
+    /// Ends a waveform, if one is being written.
+    pub fn close_trace(&mut self) {
+        if let Some(close) = self.library.entry_points.close_trace {
+            // SAFETY: the instance is alive and borrowed mutably; a file that is not open stays so.
+            unsafe { close(self.instance.as_ptr()) };
+        }
     }
 
     fn outcome(&self, stopped: c_int) -> Result<(), VerilatedError> {

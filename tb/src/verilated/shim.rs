@@ -99,6 +99,11 @@ EXPORT void model_open_trace(Instance* instance, const char* path) {
     enter(instance->context, instance->report);
     instance->wave.open(path);
 }
+
+EXPORT void model_close_trace(Instance* instance) {
+    enter(instance->context, instance->report);
+    instance->wave.close();
+}
 "#;
 
 /// Which instance is at work, and its initial values: random but reproducible, so that a unit that depends on them is found.

@@ -5,7 +5,7 @@ pub mod memory;
 pub mod tree;
 
 use pointcore_contract::Format;
-use pointcore_contract::Port;
+use pointcore_contract::Unit;
 use pointcore_contract::search::Config;
 use pointcore_golden::unit::{Model, Ported};
 use pointcore_tb::lockstep::{Lockstep, LockstepReport, seeds};
@@ -37,20 +37,23 @@ pub fn configs() -> [Config; 4] {
     ]
 }
 
-/// Steps a unit and its model in lockstep under several seeds; `begin` queues the first items and makes the rule, `check`
+/// Steps a unit and its model in lockstep under several seeds, its streams and pulses being those of the contract; `begin` queues the first items and makes the rule, `check`
 /// looks at the rule and at what moved.
 pub fn lockstep<M: Model<Config = Config> + 'static, R: Rule>(
     config: &Config,
     module: &Module,
     model: &M,
-    specified: &[Port],
+    unit: &Unit<Config>,
     begin: impl Fn(&mut Feeds) -> R,
     mask: impl Fn(&mut [u64]) + Clone + Send + 'static,
     check: impl Fn(&R, &LockstepReport),
 ) {
     let library = support::verilate(module);
+    let interface = (unit.interface)(config);
+    support::check_streams(&library, &interface);
+    let specified = interface.ports();
     for seed in seeds(SEEDS).unwrap() {
-        let golden = support::by_name(&library, specified, Ported::new(config, model.clone()));
+        let golden = support::by_name(&library, &specified, Ported::new(config, model.clone()));
         let mask = mask.clone();
         let run = Lockstep::new(&library, golden, seed).mask(move |hardware, golden| {
             mask(hardware);
