@@ -1,3 +1,4 @@
 //! The laboratory measures what it says.
+mod configurations;
 mod stability;
 mod synthesis;

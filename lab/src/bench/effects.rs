@@ -2,6 +2,7 @@
 
 use super::load;
 use crate::accuracy::estimator;
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore::cost::{Costs, Cycles};
 use pointcore_tb::cache::Cache;
@@ -26,18 +27,18 @@ pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabErro
         let setting = scan.map(|path| format!("object.0.path={}", path.display()));
         let (scene, plan) = match load(&path, setting.as_slice()) {
             Err(LabError::Scene(error)) if name == SCAN_SCENE && scan.is_none() => {
-                eprintln!("{} is left out: {error}", path.display());
+                note!("{} is left out: {error}", path.display());
                 continue;
             }
             loaded => loaded?,
         };
-        eprintln!("{name}: planned hardware beside everything");
+        note!("{name}: planned hardware beside everything");
         let costs = Costs::whole(&scene, &plan, Cycles::Measured, Some(&estimator))?;
         let shares = [("cycles_saved", costs.cycles_saved()), ("area_saved", costs.area_saved())];
         for (key, share) in shares.into_iter().chain([("memory_saved", Some(costs.memory_saved()))]) {
             match share {
                 Some(share) => _ = figures.insert(format!("effects.{name}.{key}"), share.into()),
-                None => eprintln!("effects.{name}.{key} is left out: {RECORD} has too few units to estimate from"),
+                None => note!("effects.{name}.{key} is left out: {RECORD} has too few units to estimate from"),
             }
         }
     }

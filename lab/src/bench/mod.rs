@@ -1,5 +1,6 @@
 //! The project's figures: frames, searches, operators, and what leaving out saves that a scene does not call for.
 
+pub mod configurations;
 pub mod effects;
 pub mod knn;
 pub mod operators;

@@ -1,6 +1,7 @@
 //! Operators of every format, hardware against golden.
 
 use crate::float_check::{Enable, Stages, check_format};
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore_contract::Format;
 
@@ -15,7 +16,7 @@ const SEED: u64 = 1;
 /// The operators cannot be built or run.
 pub fn figures(figures: &mut Figures) -> Result<(), LabError> {
     for (name, format) in Format::NAMED {
-        eprintln!("operators: {name}");
+        note!("operators: {name}");
         for report in check_format(format, Stages::Default, Enable::Always, CASES, SEED)? {
             let key = format!("fp.{}.{name}", report.operation);
             figures.insert(format!("{key}.cases"), report.cases.into());

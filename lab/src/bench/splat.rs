@@ -1,13 +1,14 @@
 //! Figures of the renderer: frames, simulation speed, what planned hardware saves.
 
 use super::{load, median};
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore::area::count;
 use pointcore::generated::verilate;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::shade;
-use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble};
+use pointcore::splat::{EncodedFrame, Fates, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
@@ -36,7 +37,7 @@ pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabErro
     let setting = scan.map(|path| format!("object.0.path={}", path.display()));
     match Prepared::new(Path::new("scenes/igea.toml"), setting.as_slice()) {
         Ok(igea) => frame_figures(&igea, figures)?,
-        Err(LabError::Scene(error)) if scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
+        Err(LabError::Scene(error)) if scan.is_none() => note!("scenes/igea.toml is left out: {error}"),
         Err(failure) => return Err(failure),
     }
     saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, figures)
@@ -87,12 +88,12 @@ impl Prepared {
 fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabError> {
     let Prepared { name, scene, plan, core, library, frame } = prepared;
     let free = prepared.runner(Stall::Never, 1);
-    eprintln!("{name}: lockstep");
+    note!("{name}: lockstep");
     let outcome = free.lockstep(core, library)?;
     let golden = free.golden(core)?;
     let mut mismatches = u64::from(golden.fragments != outcome.fragments);
     for seed in STALL_SEEDS {
-        eprintln!("{name}: hardware with stalls, seed {seed}");
+        note!("{name}: hardware with stalls, seed {seed}");
         let stalled = prepared.runner(Stall::Random(STALL_SHARE), seed).hardware(library, None)?;
         mismatches += u64::from(stalled.fragments != outcome.fragments);
     }
@@ -104,7 +105,7 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
         scene: name,
         engine: "rtl in lockstep with golden",
         config: &plan.config,
-        splats: scene.splats.len(),
+        fates: Fates::of(&plan.config, frame),
         counters: &outcome.counters,
         frame: &rendered,
         reference: &reference,
@@ -128,6 +129,7 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
     insert("outcome_differences", report.outcome_differences.into());
     insert("depth_test_differences", report.depth_test_differences.into());
     insert("edge_differences", report.edge_differences.into());
+    insert("sum_differences", report.sum_differences.into());
     Ok(())
 }
 
@@ -141,7 +143,7 @@ fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
     let rows = runner.record(&prepared.library)?;
     let (mut bare_ratios, mut lockstep_ratios, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
     for repetition in 1..=REPETITIONS {
-        eprintln!("simulation speed: {repetition} of {REPETITIONS}");
+        note!("simulation speed: {repetition} of {REPETITIONS}");
         let mut model = prepared.library.instantiate(1);
         let started = Instant::now();
         model.run_bare(&rows, TIMED_CYCLES)?;
@@ -163,7 +165,7 @@ fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), LabEr
     let everything = planned.with_everything()?;
     let mut ratios = Vec::new();
     for repetition in 1..=REPETITIONS {
-        eprintln!("{}: planned hardware beside everything, {repetition} of {REPETITIONS}", planned.name);
+        note!("{}: planned hardware beside everything, {repetition} of {REPETITIONS}", planned.name);
         let [small, large] = [planned, &everything].map(|prepared| {
             prepared
                 .runner(Stall::Never, 1)

@@ -1,6 +1,7 @@
 //! Hard cases through the generated hardware, in lockstep with its model.
 
 use super::frames::{FRAME_SPLATS, config, frame};
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore::generated::verilate;
 use pointcore::splat::{SplatCore, SplatRunner};
@@ -41,7 +42,7 @@ impl FrameCheck {
         let (mut cycles, mut timing_differences) = (0, 0_u64);
         let frames = splats.div_ceil(FRAME_SPLATS);
         for index in 0..frames {
-            eprintln!("hardware: frame {} of {frames}", index + 1);
+            note!("hardware: frame {} of {frames}", index + 1);
             let first = index * FRAME_SPLATS;
             let frame = frame(config, first, FRAME_SPLATS.min(splats - first), seed);
             let stalled = SplatRunner {

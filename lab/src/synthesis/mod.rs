@@ -4,6 +4,7 @@
 
 mod area;
 mod cells;
+mod document;
 mod error;
 mod record;
 mod revision;
@@ -20,6 +21,7 @@ pub use error::SynthesisError;
 pub use record::{AreaEntry, AreaRecord, Stale};
 pub use revision::Revision;
 pub use steps::{State, Step, StepListener};
+pub(crate) use table::markdown;
 pub use table::{AreaLine, Style, table};
 pub use target::Target;
 pub use timing::Timing;
@@ -166,10 +168,17 @@ fn with_settings(scope: Scope, design: &str) -> String {
     design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 
-/// A unit in its shell.
+/// A unit in its shell. Its Verilog has no comments: what explains the hardware does not age what was measured of it.
 fn design(unit: &MeasuredUnit) -> Result<Shelled, SynthesisError> {
     let design = unit.module().and_then(shell::wrap);
-    design.map_err(|source| SynthesisError::Generate { unit: unit.name.clone(), source })
+    let design = design.map_err(|source| SynthesisError::Generate { unit: unit.name.clone(), source })?;
+    Ok(Shelled { verilog: without_comments(&design.verilog), ..design })
+}
+
+/// Generated Verilog without its comments, and the lines that held nothing else; it has no strings that `//` could stand in.
+fn without_comments(verilog: &str) -> String {
+    let code = verilog.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code).trim_end());
+    code.filter(|line| !line.is_empty()).fold(String::new(), |text, line| text + line + "\n")
 }
 
 /// The hash of all that a measurement depends on but the tools' versions: the unit's Verilog, the script, the arguments.
@@ -246,5 +255,11 @@ mod tests {
         }
         let multipliers = check_capacity("core", device, &DeviceArea { dsp: 157, ..fits }).unwrap_err();
         assert!(matches!(multipliers, SynthesisError::TooLarge { needed: 157, available: 156, .. }), "{multipliers}");
+    }
+
+    #[test]
+    fn a_design_is_measured_without_its_comments() {
+        let text = "// A module.\nmodule one;  // of one wire\n\n    wire a = b / c;\n    // end\nendmodule\n";
+        assert_eq!(without_comments(text), "module one;\n    wire a = b / c;\nendmodule\n");
     }
 }

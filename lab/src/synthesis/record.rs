@@ -1,20 +1,14 @@
-//! The record of measurements that is kept with the source: of which Verilog each was made, with which tools; and the tables made
-//! from it.
+//! The record of measurements that is kept with the source: of which Verilog each was made, with which tools.
 //!
 //! An entry claims to be of the hardware as it is now, and is held to it by the hash of what it was measured of, unless it names the
 //! revision of the project that it was measured of. Hardware may so change faster than it is measured, and no table says what is not true.
 
 use super::revision::Revision;
-use super::{AreaLine, DeviceArea, MeasuredUnit, Measurement, Style, Target, Timing, all, source_hash, table};
+use super::{DeviceArea, MeasuredUnit, Measurement, Target, Timing, all, source_hash};
 use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-
-/// What a line begins with that stands before a table; the target follows.
-const TABLE_BEGIN: &str = "<!-- area ";
-/// The line that stands after a table.
-const TABLE_END: &str = "<!-- end of area -->";
 
 /// A measurement, and what it was made of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -123,7 +117,15 @@ impl AreaRecord {
         if !path.exists() {
             return Ok(Self::default());
         }
-        serde_json::from_str(&read_text(path)?).map_err(|error| wrong(path, format!("no record of areas: {error}")))
+        Self::parse(path, &read_text(path)?)
+    }
+
+    /// Reads a record's text; `path` is where it lies.
+    ///
+    /// # Errors
+    /// It is none of ours.
+    pub fn parse(path: &Path, text: &str) -> Result<Self, ConfigurationError> {
+        serde_json::from_str(text).map_err(|error| wrong(path, format!("no record of areas: {error}")))
     }
 
     /// The record as a file: an entry in the place that its unit has in tables, whatever order they were measured in.
@@ -141,12 +143,17 @@ impl AreaRecord {
     /// The entries of a target that are of the hardware as it is now, with the units they are of.
     #[must_use]
     pub fn fresh(&self, target: Target) -> Vec<(&AreaEntry, MeasuredUnit)> {
-        let of_target = self.entries.par_iter().filter(|entry| entry.target == target);
-        let fresh = |entry: &'_ AreaEntry| {
-            let unit = entry.unit_now(all())?;
-            (source_hash(target, &unit).ok()? == entry.source).then_some(unit)
+        let is_fresh = |(entry, unit): &(&AreaEntry, MeasuredUnit)| {
+            source_hash(target, unit).is_ok_and(|source| source == entry.source)
         };
-        of_target.filter_map(|entry| Some((entry, fresh(entry)?))).collect()
+        self.known(target).into_par_iter().filter(is_fresh).collect()
+    }
+
+    /// The entries of a target whose units are still known, those of earlier revisions among them, with the units as they are now.
+    #[must_use]
+    pub fn known(&self, target: Target) -> Vec<(&AreaEntry, MeasuredUnit)> {
+        let of_target = self.entries.iter().filter(|entry| entry.target == target);
+        of_target.filter_map(|entry| Some((entry, entry.unit_now(all())?))).collect()
     }
 
     /// Takes an entry in, in the place of an older one.
@@ -198,40 +205,6 @@ impl AreaRecord {
     #[must_use]
     pub fn earlier(&self) -> usize {
         self.entries.iter().filter(|entry| entry.revision.is_some()).count()
-    }
-
-    /// A document with its tables written anew: whatever stands between a line `<!-- area TARGET … -->` and `<!-- end of area -->`.
-    ///
-    /// # Errors
-    /// There is no table, or one has no end or is of an unknown target.
-    pub fn tabulate(&self, document: &str) -> Result<String, String> {
-        let mut written = String::new();
-        let mut lines = document.lines().enumerate();
-        let mut tables = 0;
-        while let Some((number, line)) = lines.next() {
-            written += line;
-            written.push('\n');
-            let Some(rest) = line.strip_prefix(TABLE_BEGIN) else { continue };
-            let place = format!("line {}", number + 1);
-            let name = rest.split([' ', ':']).next().unwrap_or_default();
-            let target = Target::ALL.into_iter().find(|target| target.name() == name);
-            let target = target
-                .ok_or_else(|| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
-            let entries = self.entries.iter().filter(|entry| entry.target == target);
-            let line =
-                |entry: &AreaEntry| AreaLine { measurement: entry.measurement(), revision: entry.revision.clone() };
-            let lines_of_target: Vec<_> = entries.map(line).collect();
-            written += &format!("\n{}\n{TABLE_END}\n", table(target, &lines_of_target, Style::Markdown));
-            lines
-                .by_ref()
-                .find(|(_, line)| *line == TABLE_END)
-                .ok_or_else(|| format!("{place}: the table has no end: expected a line `{TABLE_END}`"))?;
-            tables += 1;
-        }
-        if tables == 0 {
-            return Err(format!("no table: expected a line `{TABLE_BEGIN}TARGET -->`, and `{TABLE_END}` after it"));
-        }
-        Ok(written)
     }
 }
 
@@ -316,23 +289,5 @@ mod tests {
             assert!(error.contains("expected a commit's short hash"), "{error}");
         }
         assert_eq!(revision("2026-11-22").to_string(), "2026-11-22");
-    }
-
-    #[test]
-    fn a_table_is_written_between_its_marks() {
-        let record = record(&["f32_add"]);
-        let text = record.tabulate("before\n<!-- area ecp5: made by a command -->\nold\n<!-- end of area -->\nafter\n");
-        let text = text.unwrap_or_else(|error| panic!("{error}"));
-        assert!(text.starts_with("before\n<!-- area ecp5: made by a command -->\n\n| unit |"), "{text}");
-        assert!(text.ends_with("|\n\n<!-- end of area -->\nafter\n") && text.contains("| `f32_add` | 42 |"), "{text}");
-        assert_eq!(record.tabulate(&text), Ok(text.clone()), "writing it again changes nothing");
-        for (document, part) in [
-            ("nothing", "no table"),
-            ("<!-- area ecp6 -->\n<!-- end of area -->", "line 1: unknown target `ecp6`"),
-            ("\n<!-- area ecp5 -->\n", "line 2: the table has no end"),
-        ] {
-            let error = record.tabulate(document).unwrap_err();
-            assert!(error.contains(part), "{error}");
-        }
     }
 }

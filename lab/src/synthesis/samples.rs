@@ -28,14 +28,17 @@ fn renderer(entry: &AreaEntry) -> Option<Config> {
 fn sample(entry: &AreaEntry, unit: &MeasuredUnit) -> Option<AreaSample> {
     let proxy = Proxy::of(&elaborate(&*unit.module().ok()?).ok()?);
     let mhz = entry.timing.as_ref().map(|timing| timing.fmax_mhz);
-    Some(AreaSample { proxy, lut4: lut4(&entry.area), mhz, renderer: renderer(entry) })
+    // What was measured of other Verilog teaches, but is not the area of a configuration.
+    let renderer = if entry.revision.is_none() { renderer(entry) } else { None };
+    Some(AreaSample { proxy, lut4: lut4(&entry.area), mhz, renderer })
 }
 
 impl AreaRecord {
-    /// An estimator that has learned from the entries that are of the hardware as it is now.
+    /// An estimator that has learned from all units that are still there. Some were measured of an earlier revision: how many operators
+    /// they have is counted of what they are now, so an estimate is as far off as their area has changed since.
     #[must_use]
     pub fn estimator(&self) -> Estimator {
-        let fresh = self.fresh(Target::Ecp5);
-        Estimator::new(&fresh.iter().filter_map(|(entry, unit)| sample(entry, unit)).collect::<Vec<_>>())
+        let known = self.known(Target::Ecp5);
+        Estimator::new(&known.iter().filter_map(|(entry, unit)| sample(entry, unit)).collect::<Vec<_>>())
     }
 }

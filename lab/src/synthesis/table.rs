@@ -121,7 +121,8 @@ fn plain(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect()
 }
 
-fn markdown(rows: &[Vec<String>]) -> String {
+/// A table in Markdown, its first row the header.
+pub fn markdown(rows: &[Vec<String>]) -> String {
     let line = |row: &Vec<String>| format!("| {} |\n", row.join(" | "));
     let columns = rows.first().map_or(0, Vec::len);
     let mut text: String = rows.iter().take(1).map(line).collect();

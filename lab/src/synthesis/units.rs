@@ -3,7 +3,7 @@
 use pointcore::configuration::{Configuration, ecp5, knn};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
-use pointcore_contract::{Fixed, Format, Signedness, Unit, fields, search as search_spec, splat as splat_spec};
+use pointcore_contract::{Fixed, Format, Signedness, Unit, search as search_spec, splat as splat_spec};
 use pointcore_hdl::compiler::CompileError;
 use pointcore_hdl::float::{self, Operator};
 use pointcore_hdl::{search, splat};
@@ -196,27 +196,22 @@ fn search_units() -> Vec<MeasuredUnit> {
 
 /// Every unit between a core and AXI, the packets and points of the search core, the pixels of the renderer.
 fn bus_units() -> Vec<MeasuredUnit> {
-    use pointcore_contract::bus::{packets, ports, registers as maps};
+    use pointcore_contract::bus::registers::SearchRegisters;
+    use pointcore_contract::bus::units::{beats_max, window_index_bits};
     use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search, window, writer};
+    use search_spec::records::{CachedQuery, CachedResult, Points};
+    use splat_spec::records::Pixel;
     type Config = search_spec::Config;
     let unit = |name: &str, module: fn(&Config) -> Module| {
         MeasuredUnit::new(format!("bus_{name}"), move || Ok(module(&knn())))
     };
     vec![
-        unit("packet_in", |config| {
-            let [query, _] = packets::query_and_result(config);
-            packet_in::module(&query, config.bus.stream_bits, Some(&packets::query_range(config)))
-        }),
-        unit("packet_out", |config| {
-            let [_, result] = packets::query_and_result(config);
-            packet_out::module(&result, config.bus.stream_bits)
-        }),
-        unit("reader", |config| {
-            reader::module(&packets::points(config), config.bus.memory_bits, ports::beats_max(config))
-        }),
-        unit("writer", |config| writer::module(&fields::<splat_spec::records::Pixel>(&ecp5()), config.bus.memory_bits)),
-        unit("window", |config| window::module(ports::window_index_bits(config))),
-        unit("registers", |config| registers::module(&maps::search(config), search::error_sources(config))),
+        unit("packet_in", |config| packet_in::module::<CachedQuery>(config, config.bus.stream_bits)),
+        unit("packet_out", |config| packet_out::module::<CachedResult>(config, config.bus.stream_bits)),
+        unit("reader", |config| reader::module::<Points>(config, config.bus.memory_bits, beats_max(config))),
+        unit("writer", |config| writer::module::<Pixel>(&ecp5(), config.bus.memory_bits)),
+        unit("window", |config| window::module(window_index_bits(config))),
+        unit("registers", |config| registers::module::<SearchRegisters>(config, search::error_sources(config))),
     ]
 }
 

@@ -4,9 +4,11 @@ mod page;
 mod reuse;
 mod sets;
 
+use crate::note;
 use crate::{Figures, LabError};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use page::{KnnLine, KnnPage};
+use pointcore::area::recorded::{Clock, ClockOrigin};
 use pointcore::search::{
     MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchOutcome, SearchReport, SearchRun,
     Session, Splitting, Tree, check,
@@ -50,7 +52,7 @@ impl Cloud {
 
     fn queries(&self, order: Order, limit: Option<usize>, k: u32) -> Vec<Query> {
         let places = order.places(&self.points, limit, SEED);
-        places.into_iter().map(|point| Query { point, k, radius: None }).collect()
+        places.into_iter().map(|place| Query { point: self.points.rounded(place), k, radius: None }).collect()
     }
 }
 
@@ -124,7 +126,10 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
         outcome: &outcome,
         mismatches: (engine == SearchEngine::Lockstep).then_some(0),
         checked: None,
-        clock_mhz: CLOCK_MHZ,
+        rounding: None,
+        truth: None,
+        hardware: None,
+        clock: Clock { mhz: CLOCK_MHZ, origin: ClockOrigin::Nominal },
     });
     Ok(Run { report, outcome })
 }
@@ -133,14 +138,14 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
 fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let queries = cloud.queries(Order::Random, None, NEIGHBORS);
     for shape in [ONE_LANE, FOUR_LANES] {
-        eprintln!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
+        note!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
         let config = shape.config(cloud.points.points().len(), NEIGHBORS);
         let Run { report, outcome } =
             search(cloud, Setting::new(&config, shape.splitting, SearchEngine::Lockstep), &queries)?;
         let mismatches = match check(&cloud.points, &queries, &outcome.neighbors, 0.0) {
             Ok(_) => 0,
             Err(difference) => {
-                eprintln!("{difference}");
+                note!("{difference}");
                 1
             }
         };
@@ -165,7 +170,7 @@ fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> R
     for (shape, name) in [(ONE_LANE, "one lane"), (FOUR_LANES, "four lanes")] {
         let mut line = KnnLine::new(name);
         for threads in counts {
-            eprintln!("{}: {name}, {threads} threads", cloud.name);
+            note!("{}: {name}, {threads} threads", cloud.name);
             let config = Config { threads, ..shape.config(cloud.points.points().len(), NEIGHBORS) };
             let cycles = search(cloud, Setting::golden(&config, shape.splitting), &queries)?.report.cycles_per_query;
             let lanes = if shape.lanes == 1 { String::new() } else { format!(".lanes{}", shape.lanes) };
@@ -191,7 +196,7 @@ fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Re
     for order in [Order::Random, Order::Morton] {
         let mut line = KnnLine::new(&order.to_string());
         for k in counts {
-            eprintln!("{}: {order} order, k = {k}", cloud.name);
+            note!("{}: {order} order, k = {k}", cloud.name);
             let queries = cloud.queries(order, Some(SAMPLE), k);
             let config = FOUR_LANES.config(cloud.points.points().len(), k);
             let report = search(cloud, Setting::golden(&config, FOUR_LANES.splitting), &queries)?.report;
@@ -213,7 +218,7 @@ fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Re
 
 /// The same queries on one core of this machine, by a kd-tree library.
 fn cpu_figures(cloud: &Cloud, figures: &mut Figures) {
-    eprintln!("{}: kiddo on one core", cloud.name);
+    note!("{}: kiddo on one core", cloud.name);
     let queries = cloud.queries(Order::Random, None, NEIGHBORS);
     let tree = ImmutableKdTree::<f32, 3>::new_from_slice(cloud.points.points());
     let k = NonZero::new(NEIGHBORS as usize).expect("neighbors are asked for");

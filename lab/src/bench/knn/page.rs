@@ -49,7 +49,7 @@ impl KnnPage {
             self.text,
             "\n## Lanes: {lanes}; random order, k = {}\n\n{:.1} cycles a query, {:.0} queries/s at {} MHz; the thesis' prototype took \
              about {PROTOTYPE_CYCLES}, {ratio:.1} times as many. {:.1} bytes a query from memory.\n\n| resource | items a query |\n|---|---|",
-            report.k, report.cycles_per_query, report.queries_per_second, report.clock_mhz, report.bytes_per_query
+            report.k, report.cycles_per_query, report.queries_per_second, report.clock.mhz, report.bytes_per_query
         );
         for bound in &report.bounds {
             _ = writeln!(self.text, "| {} | {:.1} |", bound.name, bound.cycles_per_query);

@@ -2,6 +2,7 @@
 
 use super::page::{KnnLine, KnnPage};
 use super::{Cloud, FOUR_LANES, Setting, search};
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
 use pointcore_contract::search::Config;
@@ -68,7 +69,7 @@ fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> 
     for entries in [ENTRIES, FEW_ENTRIES] {
         let mut line = KnnLine::new(&format!("{entries} entries"));
         for (epsilon, name) in EPSILONS {
-            eprintln!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
+            note!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
             let found = run(cloud, &queries, entries, Reuse { epsilon, ..Reuse::default() })?;
             let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };
             let mut insert =
@@ -100,7 +101,7 @@ fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Res
     for entries in [ENTRIES, FEW_ENTRIES] {
         let mut line = KnnLine::new(&format!("{entries} entries"));
         for side in SIDES {
-            eprintln!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
+            note!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
             let reuse = Reuse { epsilon: 0.0, alpha: ALPHA };
             let found = run(cloud, &queries(cloud, side, BALL_NEIGHBORS, Some(&radii)), entries, reuse)?;
             let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };

@@ -1,6 +1,7 @@
 //! Point sets of all kinds against brute force, hardware in lockstep with its model.
 
 use super::{Cloud, FOUR_LANES, NEIGHBORS, SEED, Setting, search};
+use crate::note;
 use crate::{Figures, LabError};
 use pointcore::search::samples::{point_sets, queries_near};
 use pointcore::search::{PointSet, PointSource, SearchEngine, check};
@@ -24,13 +25,13 @@ pub fn figures(scan: &Cloud, files: &[PathBuf], figures: &mut Figures) -> Result
     }
     let (mut cases, mut mismatches) = (0, 0);
     for (name, points) in clouds {
-        eprintln!("brute force: {name}");
+        note!("brute force: {name}");
         let queries = queries_near(points.points(), NEIGHBORS, QUERIES, &mut random);
         let cloud = Cloud { source: PointSource::File(name.clone().into()), name, points };
         let run = search(&cloud, Setting::new(&config, FOUR_LANES.splitting, SearchEngine::Lockstep), &queries)?;
         cases += queries.len();
         if let Err(difference) = check(&cloud.points, &queries, &run.outcome.neighbors, 0.0) {
-            eprintln!("{}: {difference}", cloud.name);
+            note!("{}: {difference}", cloud.name);
             mismatches += 1;
         }
     }
