@@ -76,7 +76,9 @@ impl Rated {
         })
     }
 
-    fn psnr_db(&self, against: Against) -> f64 {
+    /// Decibels.
+    #[must_use]
+    pub fn psnr_db(&self, against: Against) -> f64 {
         match against {
             Against::Truth => self.measured.figures.psnr_db,
             Against::Rounding => self.measured.figures.rounding_psnr_db,
@@ -158,7 +160,7 @@ pub(super) mod tests {
     }
 
     /// A look-up table for each bit of a sum.
-    fn estimator() -> Estimator {
+    pub fn estimator() -> Estimator {
         let fit = Fit { weights: [1.0, 0.0, 0.0, 0.0], units: 9, median_error: 0.0 };
         serde_json::from_value(serde_json::json!({ "cores": [], "fit": fit })).expect("an estimator")
     }

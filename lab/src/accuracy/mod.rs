@@ -7,12 +7,14 @@ mod measure;
 pub mod neighbors;
 pub mod page;
 pub mod point;
+pub mod product;
 pub mod sweep;
 pub mod table;
 
 use crate::LabError;
 use crate::synthesis::AreaRecord;
 use pointcore::area::estimate::Estimator;
+use pointcore::area::recorded::RECORD;
 use pointcore::configuration::read_text;
 use pointcore_tb::cache::{Cache, file, key};
 use serde::Serialize;
@@ -36,16 +38,14 @@ fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, LabError> {
     serde_json::from_str(&text).map_err(|error| LabError::Damaged { path, problem: error.to_string() })
 }
 
-/// What a record of areas says of configurations that are not in it: nothing if there is no such file. Looking through its units takes a
-/// while, so what it says is kept.
+/// What a record of areas says of configurations that are not in it; the project's own if there is no such file. Looking through its
+/// units takes a while, so what it says is kept.
 ///
 /// # Errors
 /// The file is no record, or what it says cannot be kept or read.
 pub fn estimator(record: &Path, cache: &Cache) -> Result<Estimator, LabError> {
-    if !record.exists() {
-        return Ok(Estimator::new(&[]));
-    }
-    let (loaded, text) = (AreaRecord::load(record)?, read_text(record)?);
-    let content = key(["estimator", sweep::SOURCES, &text]);
+    let text = if record.exists() { read_text(record)? } else { RECORD.to_owned() };
+    let loaded = AreaRecord::parse(record, &text)?;
+    let content = key(["estimator of known units", sweep::SOURCES, &text]);
     read_result(&cache.entry(&content, |folder| write_result(folder, &loaded.estimator()))?)
 }

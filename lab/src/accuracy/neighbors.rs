@@ -118,7 +118,8 @@ impl Task<'_> {
         let config = Config { neighbor_cache: entries, threads: THREADS, bucket, ..derived };
         let order = Order::Grid { columns: SIDE, rows: SIDE };
         let places = order.places(points, Some(limit), 1);
-        let queries: Vec<Query> = places.into_iter().map(|point| Query { point, k, radius: None }).collect();
+        let queries: Vec<Query> =
+            places.into_iter().map(|place| Query { point: points.rounded(place), k, radius: None }).collect();
 
         let tree = Tree::build(&config, points, splitting)?;
         let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };

@@ -67,7 +67,7 @@ const KEYS: [(&str, &[&str]); 11] = [
 ];
 
 impl Knob {
-    fn new(name: &str, alone: &[&str], combined: &[&str]) -> Self {
+    pub(super) fn new(name: &str, alone: &[&str], combined: &[&str]) -> Self {
         let keys: Vec<String> = match KEYS.iter().find(|(known, _)| *known == name) {
             Some((_, keys)) => keys.iter().map(ToString::to_string).collect(),
             None => vec![name.to_owned()],
@@ -118,7 +118,38 @@ impl Knob {
     }
 }
 
+impl Knob {
+    /// Its values, as a user writes them.
+    pub fn values(&self) -> impl Iterator<Item = &str> {
+        self.values.iter().map(|(value, ..)| value.as_str())
+    }
+
+    /// The name of the point that has this value and nothing else.
+    #[must_use]
+    pub fn alone(&self, value: &str) -> String {
+        format!("{} {value}", self.name)
+    }
+
+    /// Values of which every point is among `refused`, each with the point's name.
+    pub fn impossible<'a>(&'a self, all: &[SweepPoint], refused: &[&SweepPoint]) -> Vec<&'a str> {
+        let has =
+            |point: &&SweepPoint, settings: &[Setting]| settings.iter().all(|setting| point.settings.contains(setting));
+        let is_impossible = |(_, settings, _): &&(String, Vec<Setting>, Use)| {
+            all.iter().filter(|point| has(point, settings)).all(|point| refused.contains(&point))
+        };
+        self.values.iter().filter(is_impossible).map(|(value, ..)| value.as_str()).collect()
+    }
+}
+
 impl SweepPoint {
+    /// A value of each knob by its place; a place beyond leaves the knob as the scene has it.
+    #[must_use]
+    pub fn turned(knobs: &[Knob], choice: &[u16]) -> Self {
+        let values =
+            knobs.iter().zip(choice).filter_map(|(knob, &value)| Some((knob, knob.values.get(usize::from(value))?)));
+        values.fold(Self::base(), |point, (knob, (value, settings, _))| point.with(&knob.name, value, settings))
+    }
+
     /// The scene as it is.
     #[must_use]
     pub fn base() -> Self {
@@ -197,6 +228,19 @@ mod tests {
         let [index, fraction] = ["5", "0"].map(str::to_owned);
         let keys = ["overrides.kernel_index_bits", "overrides.kernel_fraction_bits"].map(str::to_owned);
         assert_eq!(kernel, keys.into_iter().zip([index, fraction]).collect::<Vec<_>>(), "a part for each key");
+    }
+
+    #[test]
+    fn a_value_is_impossible_where_no_point_of_it_is_left() {
+        let knobs = ["geometry=f24,f31", "samples=2"].map(|text| Knob::parse(text).expect("a knob"));
+        let all = points(&knobs);
+        let refused = |part: &str| all.iter().filter(|point| point.name.contains(part)).collect::<Vec<_>>();
+        assert_eq!(knobs[0].impossible(&all, &refused("f31")), ["f31"]);
+        assert!(knobs[0].impossible(&all, &refused("f31,")).is_empty(), "alone it is possible");
+        assert!(knobs[1].impossible(&all, &refused("f31")).is_empty());
+        let turned = SweepPoint::turned(&knobs, &[0, 0]);
+        assert_eq!((turned.name.as_str(), turned.settings.len()), ("geometry f24, samples 2", 2));
+        assert_eq!(SweepPoint::turned(&knobs, &[2, 1]), SweepPoint::base());
     }
 
     #[test]

@@ -9,10 +9,13 @@ use super::measure::{measure, reference};
 use super::point::{RenderMethod, SweepPoint};
 use super::{read_result, write_result};
 use crate::LabError;
+use pointcore::area::estimate::Estimator;
+use pointcore::area::proxy::Proxy;
 use pointcore::picture::Picture;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::picture;
+use pointcore::splat::SplatCore;
 use pointcore_golden::reference::Mapping;
 use pointcore_tb::cache::{Cache, digest, key};
 use std::collections::{HashMap, HashSet};
@@ -68,6 +71,14 @@ pub struct Sweep {
     hardware: PointEngine,
     truth: Arc<Loaded>,
     truth_picture: Mutex<Option<Arc<Picture>>>,
+}
+
+impl Planned {
+    /// The point's hardware as a configuration file, by which equal ones are known.
+    #[must_use]
+    pub fn hardware(&self) -> String {
+        toml::to_string(&self.plan.config).expect("a configuration is a TOML table")
+    }
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -134,10 +145,10 @@ impl Sweep {
     }
 
     fn key(&self, planned: &Planned, hardware: PointEngine) -> String {
-        let Planned { point, scene, plan } = planned;
+        let Planned { point, scene, .. } = planned;
         let engine = point.engine(hardware);
         let config = match point.method {
-            RenderMethod::Hardware => toml::to_string(&plan.config).expect("a configuration is a TOML table"),
+            RenderMethod::Hardware => planned.hardware(),
             RenderMethod::Backward | RenderMethod::Forward => String::new(),
         };
         let method = format!("{:?}", point.method);
@@ -156,6 +167,15 @@ impl Sweep {
         let engines = [PointEngine::Lockstep, self.hardware];
         let folder = engines.into_iter().find_map(|engine| self.cache.existing(&self.key(planned, engine)));
         folder.map(|folder| Self::read(planned, folder)).transpose()
+    }
+
+    /// Look-up tables of a point's hardware, recorded or estimated; nothing is rendered.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn area(&self, planned: &Planned, estimator: &Estimator) -> Result<Option<f64>, LabError> {
+        let core = SplatCore::generate(&planned.plan.config)?;
+        Ok(estimator.estimate(&planned.plan.config, &Proxy::of(&core.design)).lut4)
     }
 
     /// Measures a point that is not kept.
