@@ -1,7 +1,7 @@
 //! Files that users hand in are read or refused with an error, whatever is in them: valid ones with bytes changed, taken out, put in.
 
 use pointcore::plan::Plan;
-use pointcore::scene::{Model, NormalSource, Scene};
+use pointcore::scene::{InvalidPoints, Model, NormalSource, Scene};
 use pointcore_contract::{search, splat};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
@@ -9,6 +9,9 @@ use proptest::test_runner::FileFailurePersistence;
 const PLY: &str = include_str!("../../fuzz/seeds/ply/square.ply");
 const PLY_BINARY: &[u8] = include_bytes!("../../fuzz/seeds/ply/square_binary.ply");
 const OBJ: &str = include_str!("../../fuzz/seeds/obj/square.obj");
+const GLTF: &str = include_str!("../../fuzz/seeds/gltf/triangle.gltf");
+const PCD: &str = include_str!("../../fuzz/seeds/pcd/square.pcd");
+const XYZ: &str = include_str!("../../fuzz/seeds/xyz/square.xyz");
 const SCENE: &str = include_str!("../../fuzz/seeds/scene/sphere.toml");
 const SPLAT: &str = include_str!("../../fuzz/seeds/configuration/splat.toml");
 const SEARCH: &str = include_str!("../../fuzz/seeds/configuration/search.toml");
@@ -62,6 +65,21 @@ fn changed(text: impl AsRef<[u8]>, changes: &[Change]) -> Vec<u8> {
     bytes
 }
 
+/// A LAS file of a few points, compressed or not.
+fn las(is_compressed: bool) -> Vec<u8> {
+    let mut builder = las::Builder::from((1, 2));
+    builder.point_format = las::point::Format::new(2).expect("there is such a format");
+    builder.point_format.is_compressed = is_compressed;
+    let header = builder.into_header().expect("the header is good");
+    let mut writer = las::Writer::new(std::io::Cursor::new(Vec::new()), header).expect("the header is good");
+    for x in 0..4 {
+        let color = Some(las::Color { red: 7, green: 8, blue: x });
+        writer.write_point(las::Point { x: x.into(), color, ..Default::default() }).expect("memory takes it");
+    }
+    writer.close().expect("memory takes it");
+    writer.into_inner().expect("it was closed").into_inner()
+}
+
 /// A file with these bytes.
 fn file(suffix: &str, bytes: &[u8]) -> tempfile::NamedTempFile {
     let file = tempfile::Builder::new().suffix(suffix).tempfile().expect("there is room for a file");
@@ -77,8 +95,18 @@ proptest! {
 
     #[test]
     fn models_are_read_or_refused(changes in prop::collection::vec(change(), 0..6)) {
-        for (suffix, text) in [(".ply", PLY.as_bytes()), (".ply", PLY_BINARY), (".obj", OBJ.as_bytes())] {
+        for (suffix, text) in [
+            (".ply", PLY.as_bytes()),
+            (".ply", PLY_BINARY),
+            (".obj", OBJ.as_bytes()),
+            (".gltf", GLTF.as_bytes()),
+            (".pcd", PCD.as_bytes()),
+            (".xyz", XYZ.as_bytes()),
+            (".las", &las(false)),
+            (".laz", &las(true)),
+        ] {
             let file = file(suffix, &changed(text, &changes));
+            _ = Model::load_with(file.path(), InvalidPoints::Drop);
             match Model::load(file.path()) {
                 Ok(model) => {
                     prop_assert!(!model.points.is_empty() && model.points.iter().all(|point| point.is_finite()));

@@ -1,11 +1,19 @@
-//! Point models from PLY and OBJ files.
+//! Point models from files: PLY, OBJ, glTF, PCD, LAS, and columns of text.
 
+mod colors;
+mod columns;
+mod gltf;
+mod guard;
+mod las;
 mod obj;
+mod pcd;
 mod ply;
+mod sampled;
 
 use super::error::SceneError;
 use super::normals;
 use glam::DVec3;
+use guard::guarded;
 use std::path::Path;
 
 /// Coordinates beyond this have squares that leave `f32` in later arithmetic; no scan comes near it.
@@ -22,6 +30,26 @@ pub struct Model {
     pub colors: Option<Vec<[f32; 3]>>,
     /// Triangles as indices of points, counter-clockwise seen from outside; empty for a plain point set.
     pub triangles: Vec<[u32; 3]>,
+    /// Where the sensor stood, if the file says so.
+    pub sensor: Option<DVec3>,
+    /// Points of the file that were left out since they are no numbers.
+    pub dropped: usize,
+}
+
+/// What becomes of points whose coordinates are no numbers, such as those that a scanner did not hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InvalidPoints {
+    /// The first of them is an error.
+    Refuse,
+    /// They are left out, and counted.
+    Drop,
+}
+
+/// The direction that a format's files call up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Up {
+    Y,
+    Z,
 }
 
 /// Where normals are to come from.
@@ -37,20 +65,60 @@ pub enum NormalSource {
     Estimate,
 }
 
+/// Reads a whole file; an error says what is wrong with it.
+type Parse = fn(&[u8], &Path) -> Result<Model, String>;
+
+/// Formats by the endings of their files.
+const FORMATS: [(&[&str], Parse, Up); 6] = [
+    (&["ply"], |bytes, _| ply::parse(bytes), Up::Y),
+    (&["obj"], |bytes, _| obj::parse(bytes), Up::Y),
+    (&["gltf", "glb"], |bytes, path| guarded(|| gltf::parse(bytes, path)), Up::Y),
+    (&["pcd"], |bytes, _| guarded(|| pcd::parse(bytes)), Up::Z),
+    (&["las", "laz"], |bytes, _| guarded(|| las::parse(bytes)), Up::Z),
+    (&["xyz", "csv", "txt", "asc", "pts"], |bytes, _| columns::parse(bytes), Up::Z),
+];
+
+/// The format of a file, by its ending.
+fn format(path: &Path) -> Option<(Parse, Up)> {
+    let extension = path.extension()?.to_string_lossy().to_lowercase();
+    let found = FORMATS.iter().find(|(extensions, ..)| extensions.contains(&extension.as_str()));
+    found.map(|(_, parse, up)| (*parse, *up))
+}
+
+/// Which way is up in files like this one.
+pub(super) fn up(path: &Path) -> Option<Up> {
+    format(path).map(|(_, up)| up)
+}
+
 impl Model {
-    /// Reads a `.ply` or `.obj` file.
+    /// Whether a file's name ends like that of a model.
+    #[must_use]
+    pub fn is_model(path: &Path) -> bool {
+        format(path).is_some()
+    }
+
+    /// Reads a model of which every point is a number.
     ///
     /// # Errors
     /// The file is missing, of another kind, malformed, holds no point, or one that is not finite.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-        let bytes = || std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source });
-        let model = match extension.as_deref() {
-            Some("ply") => ply::parse(&bytes()?),
-            Some("obj") => obj::parse(&bytes()?),
-            _ => Err("a model's name must end in .ply or .obj".to_owned()),
+        Self::load_with(path, InvalidPoints::Refuse)
+    }
+
+    /// Reads a model.
+    ///
+    /// # Errors
+    /// The file is missing, of another kind, malformed, or holds no point.
+    pub fn load_with(path: &Path, invalid: InvalidPoints) -> Result<Self, SceneError> {
+        let problem = |problem| SceneError::model(path, problem);
+        let (parse, _) = format(path).ok_or_else(|| problem(format!("a model's name must end in {}", endings())))?;
+        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        let model = parse(&bytes, path).map_err(problem)?;
+        let model = match invalid {
+            InvalidPoints::Refuse => model,
+            InvalidPoints::Drop => model.without_invalid(),
         };
-        model.and_then(Self::checked).map_err(|problem| SceneError::model(path, problem))
+        model.checked().map_err(problem)
     }
 
     /// One unit normal a point, and what they were made from.
@@ -58,6 +126,17 @@ impl Model {
     /// # Errors
     /// `source` asks for normals that the file lacks, or there are too few points to estimate them.
     pub fn unit_normals(&self, source: NormalSource) -> Result<(Vec<DVec3>, NormalOrigin), String> {
+        match self.given_normals(source)? {
+            Some((normals, origin)) => Ok((normals::normalize(&self.points, &normals)?, origin)),
+            None => Ok((normals::estimate(&self.points)?, NormalOrigin::Estimated)),
+        }
+    }
+
+    /// The file's normals, of any length, and what they were made from; `None` where they are to be estimated.
+    ///
+    /// # Errors
+    /// `source` asks for normals that the file lacks.
+    pub fn given_normals(&self, source: NormalSource) -> Result<Option<(Vec<DVec3>, NormalOrigin)>, String> {
         let from_file = || match &self.normals {
             Some(normals) => Some((normals.clone(), NormalOrigin::Vertices)),
             None if !self.triangles.is_empty() => {
@@ -65,31 +144,62 @@ impl Model {
             }
             None => None,
         };
-        let given = match source {
-            NormalSource::Estimate => None,
-            NormalSource::Auto => from_file(),
-            NormalSource::File => {
-                Some(from_file().ok_or("holds neither normals nor faces: use `normals = \"estimate\"`")?)
-            }
-        };
-        match given {
-            Some((normals, origin)) => Ok((normals::normalize(&self.points, &normals)?, origin)),
-            None => Ok((normals::estimate(&self.points)?, NormalOrigin::Estimated)),
+        match source {
+            NormalSource::Estimate => Ok(None),
+            NormalSource::Auto => Ok(from_file()),
+            NormalSource::File => match from_file() {
+                None => Err("holds neither normals nor faces: use `normals = \"estimate\"`".to_owned()),
+                given => Ok(given),
+            },
         }
+    }
+
+    /// The model without the points that are no numbers, and without the faces at them.
+    fn without_invalid(mut self) -> Self {
+        let is_kept: Vec<bool> = self.points.iter().map(|point| is_usable(*point)).collect();
+        let place = |kept: &mut u32, is_kept: &bool| {
+            let place = *kept;
+            *kept += u32::from(*is_kept);
+            Some(place)
+        };
+        let places: Vec<u32> = is_kept.iter().scan(0, place).collect();
+        self.dropped += is_kept.iter().filter(|is_kept| !**is_kept).count();
+        if self.dropped > 0 {
+            let is_whole = |triangle: &[u32; 3]| {
+                // A face at a vertex that there is none of is an error, which is found later.
+                triangle.iter().all(|&index| is_kept.get(index as usize).copied().unwrap_or(true))
+            };
+            self.triangles.retain(is_whole);
+            for index in self.triangles.iter_mut().flatten() {
+                *index = places.get(*index as usize).copied().unwrap_or(u32::MAX);
+            }
+            keep(&mut self.points, &is_kept);
+            self.normals.iter_mut().for_each(|normals| keep(normals, &is_kept));
+            self.colors.iter_mut().for_each(|colors| keep(colors, &is_kept));
+        }
+        // A point without a normal takes its neighbors'.
+        for normal in self.normals.iter_mut().flatten().filter(|normal| !is_usable(**normal)) {
+            *normal = DVec3::ZERO;
+        }
+        self
     }
 
     fn checked(self) -> Result<Self, String> {
         if self.points.is_empty() {
-            return Err("holds no vertex: a model needs at least one".to_owned());
+            let dropped = match self.dropped {
+                0 => String::new(),
+                dropped => format!(" besides {dropped} that are no numbers"),
+            };
+            return Err(format!("holds no vertex{dropped}: a model needs at least one"));
         }
-        let unusable = |vector: &DVec3| !vector.is_finite() || vector.abs().max_element() > COORDINATE_LIMIT;
-        if let Some(index) = self.points.iter().position(unusable) {
+        if let Some(index) = self.points.iter().position(|point| !is_usable(*point)) {
             let point = self.points[index].to_array();
             return Err(format!(
-                "vertex {index} lies at {point:?}: coordinates must be finite and below {COORDINATE_LIMIT:e}"
+                "vertex {index} lies at {point:?}: coordinates must be finite and below {COORDINATE_LIMIT:e}; `drop_invalid \
+                 = true` leaves such points out"
             ));
         }
-        if let Some(index) = self.normals.iter().flatten().position(unusable) {
+        if let Some(index) = self.normals.iter().flatten().position(|normal| !is_usable(*normal)) {
             return Err(format!("the normal of vertex {index} is not finite"));
         }
         let count = self.points.len();
@@ -100,6 +210,24 @@ impl Model {
         }
         Ok(self)
     }
+}
+
+/// Endings of models' names, as a sentence has them.
+fn endings() -> String {
+    let all: Vec<_> =
+        FORMATS.iter().flat_map(|(extensions, ..)| *extensions).map(|ending| format!(".{ending}")).collect();
+    let (last, others) = all.split_last().expect("there are formats");
+    format!("{} or {last}", others.join(", "))
+}
+
+fn is_usable(vector: DVec3) -> bool {
+    vector.is_finite() && vector.abs().max_element() <= COORDINATE_LIMIT
+}
+
+/// Keeps what is marked.
+fn keep<T>(items: &mut Vec<T>, is_kept: &[bool]) {
+    let mut marks = is_kept.iter();
+    items.retain(|_| marks.next().copied().unwrap_or(false));
 }
 
 /// What a model's normals were made from.
@@ -126,6 +254,16 @@ impl std::fmt::Display for NormalOrigin {
 /// The triangles of a convex polygon.
 fn fan(polygon: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     polygon.windows(2).skip(1).map(|edge| [polygon[0], edge[0], edge[1]])
+}
+
+/// The triangles of a strip, of which every second one turns the other way round. Strips repeat vertices to turn a corner, which leaves
+/// triangles without area.
+fn strip(strip: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
+    let oriented = |(index, corner): (usize, &[u32])| match index % 2 {
+        0 => [corner[0], corner[1], corner[2]],
+        _ => [corner[1], corner[0], corner[2]],
+    };
+    strip.windows(3).enumerate().map(oriented).filter(|[a, b, c]| a != b && b != c && a != c)
 }
 
 #[cfg(test)]

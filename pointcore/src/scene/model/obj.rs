@@ -1,8 +1,8 @@
-//! Wavefront OBJ, of which a point model needs `v`, `vn` and `f`; other statements are skipped.
+//! Wavefront OBJ, of which a point model needs `v`, with a color behind the coordinates or without, `vn` and `f`; other statements are skipped.
 //!
 //! A reader of our own because readers of meshes drop vertices that no face refers to, and a point cloud has no faces.
 
-use super::{Model, fan};
+use super::{Model, colors, fan};
 use glam::DVec3;
 
 /// A corner of a face: its vertex and, if given, its normal.
@@ -15,14 +15,18 @@ struct Corner {
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
     // Comments and names may be in any encoding; what a model needs is ASCII.
     let text = String::from_utf8_lossy(bytes);
-    let (mut model, mut normals) = (Model::default(), Vec::new());
+    let (mut model, mut normals, mut colors) = (Model::default(), Vec::new(), Vec::new());
     let mut polygons = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let statement = line.split('#').next().unwrap_or_default();
         let mut words = statement.split_whitespace();
         let result = match words.next() {
-            Some("v") => vector(words).map(|point| model.points.push(point)),
-            Some("vn") => vector(words).map(|normal| normals.push(normal)),
+            Some("v") => vector(&mut words).and_then(|point| {
+                model.points.push(point);
+                colors.extend(color(words)?);
+                Ok(())
+            }),
+            Some("vn") => vector(&mut words).map(|normal| normals.push(normal)),
             Some("f") => words
                 .map(|word| corner(word, model.points.len(), normals.len()))
                 .collect::<Result<Vec<_>, _>>()
@@ -36,10 +40,21 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
         model.triangles.extend(fan(&indices));
     }
     model.normals = vertex_normals(model.points.len(), &polygons, &normals);
+    model.colors = (!colors.is_empty() && colors.len() == model.points.len()).then(|| colors::linear(&colors));
     Ok(model)
 }
 
-fn vector<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<DVec3, String> {
+/// The color behind a vertex' coordinates; a single number there is a weight, and more than three begin with one.
+fn color<'a>(words: impl Iterator<Item = &'a str>) -> Result<Option<[f64; 3]>, String> {
+    let number = |word: &str| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
+    let numbers = words.map(number).collect::<Result<Vec<_>, _>>()?;
+    Ok(match numbers[..] {
+        [red, green, blue] | [_, red, green, blue] => Some([red, green, blue]),
+        _ => None,
+    })
+}
+
+fn vector<'a>(words: &mut impl Iterator<Item = &'a str>) -> Result<DVec3, String> {
     let mut component = || {
         let word = words.next().ok_or("three numbers expected")?;
         word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"))

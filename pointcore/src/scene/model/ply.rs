@@ -1,7 +1,8 @@
 //! PLY: ASCII or binary of either byte order, properties in any order, foreign elements and properties skipped.
+//!
+//! Numbers of ASCII files are read here, since the parser takes fewer ways to write one than programs have: `.5`, `1e5`, `nan`.
 
-use super::{Model, fan};
-use crate::color::linear_from_srgb;
+use super::{Model, colors, fan, strip};
 use glam::DVec3;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
@@ -12,6 +13,10 @@ use std::io::Cursor;
 
 /// Scalar properties that are kept, in the order of [`Element::scalars`].
 const SCALARS: [&str; 9] = ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"];
+/// What some programs put before the names of colors.
+const COLOR_PREFIX: &str = "diffuse_";
+/// Names of the lists that are kept.
+const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 const NORMAL: usize = 3;
 const COLOR: usize = 6;
 
@@ -31,7 +36,7 @@ impl PropertyAccess for Element {
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if matches!(name, "vertex_indices" | "vertex_index") {
+        if LISTS.contains(&name) {
             self.indices = match property {
                 Property::ListChar(list) => list.into_iter().map(i64::from).collect(),
                 Property::ListUChar(list) => list.into_iter().map(i64::from).collect(),
@@ -43,7 +48,7 @@ impl PropertyAccess for Element {
             };
             return PropertyAccessResult::Set;
         }
-        let Some(index) = SCALARS.iter().position(|known| *known == name) else { return PropertyAccessResult::Ignored };
+        let Some(index) = scalar(name) else { return PropertyAccessResult::Ignored };
         self.scalars[index] = match property {
             Property::Char(value) => value.into(),
             Property::UChar(value) => value.into(),
@@ -57,6 +62,12 @@ impl PropertyAccess for Element {
         };
         PropertyAccessResult::Set
     }
+}
+
+/// Where a property of this name is kept.
+fn scalar(name: &str) -> Option<usize> {
+    let plain = name.strip_prefix(COLOR_PREFIX).unwrap_or(name);
+    SCALARS.iter().position(|known| *known == plain).filter(|&index| plain == name || index >= COLOR)
 }
 
 /// Parses a whole file; an error says what is wrong with it.
@@ -78,10 +89,13 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
     }
 
     let mut model = Model::default();
+    let mut lines = Lines::after(bytes, reader.get_ref().position() as usize);
     for definition in header.elements.values() {
-        let elements = parser
-            .read_payload_for_element(&mut reader, definition, &header)
-            .map_err(|error| format!("element `{}`: {}", definition.name, one_line(&error)))?;
+        let elements = match header.encoding {
+            Encoding::Ascii => lines.elements(definition),
+            _ => parser.read_payload_for_element(&mut reader, definition, &header).map_err(|error| one_line(&error)),
+        };
+        let elements = elements.map_err(|problem| format!("element `{}`: {problem}", definition.name))?;
         match definition.name.as_str() {
             "vertex" => add_vertices(&mut model, definition, &elements),
             "face" => {
@@ -93,13 +107,71 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
             "tristrips" => {
                 for strip in elements.iter().flat_map(|element| element.indices.split(|&index| index == STRIP_END)) {
                     let strip = vertex_indices(strip).map_err(|error| format!("triangle strips: {error}"))?;
-                    model.triangles.extend(strip_triangles(&strip));
+                    model.triangles.extend(self::strip(&strip));
                 }
             }
             _ => {}
         }
     }
     Ok(model)
+}
+
+/// Lines as bytes.
+type ByteLines<'a> = std::slice::Split<'a, u8, fn(&u8) -> bool>;
+
+/// The lines of an ASCII file behind its header.
+struct Lines<'a> {
+    text: std::iter::Enumerate<ByteLines<'a>>,
+    /// Lines of the header.
+    before: usize,
+}
+
+impl<'a> Lines<'a> {
+    fn after(bytes: &'a [u8], header_bytes: usize) -> Self {
+        let (header, rest) = bytes.split_at(header_bytes.min(bytes.len()));
+        let is_end: fn(&u8) -> bool = |byte| *byte == b'\n';
+        Self { text: rest.split(is_end).enumerate(), before: header.iter().filter(|byte| is_end(byte)).count() }
+    }
+
+    /// The elements of a kind, one a line.
+    fn elements(&mut self, definition: &ElementDef) -> Result<Vec<Element>, String> {
+        (0..definition.count).map(|index| self.element(definition, index)).collect()
+    }
+
+    fn element(&mut self, definition: &ElementDef, index: usize) -> Result<Element, String> {
+        let is_blank = |line: &[u8]| line.iter().all(u8::is_ascii_whitespace);
+        let Some((place, line)) = self.text.find(|(_, line)| !is_blank(line)) else {
+            return Err(format!(
+                "expected {}, got {index}: the file is truncated or its header wrong",
+                definition.count
+            ));
+        };
+        let line = String::from_utf8_lossy(line);
+        let fault = |problem: &str| format!("line {}: {problem}: {}", self.before + place + 1, line.trim());
+        let mut words = line.split_ascii_whitespace();
+        let mut number = || {
+            let word = words.next().ok_or_else(|| fault("too few numbers"))?;
+            word.parse::<f64>().map_err(|_| fault(&format!("`{word}` is not a number")))
+        };
+        let mut element = Element::default();
+        for (name, property) in &definition.properties {
+            if let PropertyType::List(..) = property.data_type {
+                let items = (0..number()? as usize).map(|_| number()).collect::<Result<Vec<_>, _>>()?;
+                if LISTS.contains(&name.as_str()) {
+                    element.indices = items.into_iter().map(|item| item as i64).collect();
+                }
+            } else {
+                let value = number()?;
+                if let Some(index) = scalar(name) {
+                    element.scalars[index] = value;
+                }
+            }
+        }
+        if words.next().is_some() {
+            return Err(fault("too many numbers"));
+        }
+        Ok(element)
+    }
 }
 
 /// The parser's message without what its grammar would have taken: `line 9: couldn't read element line: 0 nan 0`.
@@ -178,14 +250,17 @@ fn add_vertices(model: &mut Model, definition: &ElementDef, elements: &[Element]
     if has(&SCALARS[NORMAL..COLOR]) {
         model.normals = Some(elements.iter().map(|element| vector(element, NORMAL)).collect());
     }
-    if has(&SCALARS[COLOR..]) {
-        let data_type = &definition.properties[SCALARS[COLOR]].data_type;
-        let full = match data_type {
+    let kind = |name: &str| {
+        let prefixed = || definition.properties.get(&format!("{COLOR_PREFIX}{name}"));
+        definition.properties.get(name).or_else(prefixed).map(|property| &property.data_type)
+    };
+    if let [Some(red), Some(_), Some(_)] = [COLOR, COLOR + 1, COLOR + 2].map(|index| kind(SCALARS[index])) {
+        let full = match red {
             PropertyType::Scalar(ScalarType::Float | ScalarType::Double) => 1.0,
+            PropertyType::Scalar(ScalarType::Short | ScalarType::UShort) => f64::from(u16::MAX),
             _ => f64::from(u8::MAX),
         };
-        let component = |value: f64| linear_from_srgb((value / full).clamp(0.0, 1.0)) as f32;
-        let color = |element: &Element| (vector(element, COLOR).to_array()).map(component);
+        let color = |element: &Element| colors::of_full(vector(element, COLOR).to_array(), full);
         model.colors = Some(elements.iter().map(color).collect());
     }
 }
@@ -193,14 +268,4 @@ fn add_vertices(model: &mut Model, definition: &ElementDef, elements: &[Element]
 fn vertex_indices(indices: &[i64]) -> Result<Vec<u32>, String> {
     let index = |&index: &i64| u32::try_from(index).map_err(|_| format!("{index} is not the index of a vertex"));
     indices.iter().map(index).collect()
-}
-
-/// Every second triangle of a strip turns the other way round. Strips repeat vertices to turn a corner, which leaves
-/// triangles without area.
-fn strip_triangles(strip: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
-    let oriented = |(index, corner): (usize, &[u32])| match index % 2 {
-        0 => [corner[0], corner[1], corner[2]],
-        _ => [corner[1], corner[0], corner[2]],
-    };
-    strip.windows(3).enumerate().map(oriented).filter(|[a, b, c]| a != b && b != c && a != c)
 }

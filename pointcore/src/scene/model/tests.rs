@@ -135,6 +135,49 @@ fn coordinates_must_be_usable_numbers() {
 }
 
 #[test]
+fn ascii_ply_takes_numbers_as_programs_write_them() {
+    let text = format!("{TRIANGLE_HEADER}.5 -.5 1e5\n\n+1. 2E-3 0\nnan 0 -inf\n");
+    assert_fails("scan.ply", &ascii_ply(&text), &["vertex 2", "finite", "drop_invalid"]);
+    let folder = tempfile::tempdir().expect("the system has a temporary folder");
+    let path = folder.path().join("scan.ply");
+    std::fs::write(&path, ascii_ply(&text)).expect("the folder is writable");
+    let model = Model::load_with(&path, InvalidPoints::Drop).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.points, [DVec3::new(0.5, -0.5, 1e5), DVec3::new(1.0, 2e-3, 0.0)]);
+    assert_eq!(model.dropped, 1);
+}
+
+#[test]
+fn what_hangs_on_dropped_points_goes_with_them() {
+    let text = "v nan 0 0 1 0 0\nv 0 0 0 0 1 0\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\nf 2 3 4\n";
+    let model = obj::parse(text.as_bytes())
+        .expect("the file is good")
+        .without_invalid()
+        .checked()
+        .expect("what is left is good");
+    assert_eq!((model.points.len(), model.dropped, &model.triangles[..]), (3, 1, &[[0, 1, 2]][..]));
+    assert_eq!(model.colors.map(|colors| colors[0]), Some([0.0, 1.0, 0.0]));
+    let nothing = obj::parse(b"v nan 0 0\n").expect("the file is good").without_invalid().checked();
+    assert!(nothing.is_err_and(|problem| problem.contains("besides 1")));
+}
+
+#[test]
+fn colors_of_ply_may_have_other_names_and_widths() {
+    let text = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty ushort diffuse_red\n\
+                property ushort diffuse_green\nproperty ushort diffuse_blue\nend_header\n0 0 0 65535 0 0\n";
+    assert_eq!(load("wide.ply", &ascii_ply(text)).expect("good").colors, Some(vec![[1.0, 0.0, 0.0]]));
+}
+
+#[test]
+fn obj_reads_colors_behind_coordinates() {
+    let colors = |text: &str| load("colors.obj", text.as_bytes()).expect("good").colors;
+    let expected = Some(vec![[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(colors("v 0 0 0 1 0 0\nv 1 0 0 0 0 1\n"), expected);
+    assert_eq!(colors("v 0 0 0 255 0 0\nv 1 0 0 0 0 255\n"), expected, "bytes");
+    assert_eq!(colors("v 0 0 0 1.0\nv 1 0 0 1.0\n"), None, "a weight");
+    assert_eq!(colors("v 0 0 0 1 0 0\nv 1 0 0\n"), None, "not all have one");
+}
+
+#[test]
 fn obj_reads_points_normals_and_faces() {
     let cloud =
         load("cloud.obj", b"# no faces\nv 1 2 3\nv -1 -2 -3 # trailing\r\nvn 0 0 1\nvn 0 2 0\ng part\n").expect("good");
@@ -155,7 +198,6 @@ fn obj_comments_may_be_in_any_encoding() {
 fn ply_errors_take_one_line() {
     let vertices = |rest: &str| ascii_ply(&format!("{TRIANGLE_HEADER}{rest}"));
     for (content, parts) in [
-        (vertices("0 0 0\n0 nan 0\n0 0 0\n"), ["line 9", "0 nan 0"]),
         (vertices("0 0 0\n0 1,5 0\n0 0 0\n"), ["line 9", "0 1,5 0"]),
         (vertices("0 0 0\n0.000000 1.000000\n0 0 0\n"), ["line 9", "0.000000 1.000000"]),
         (ascii_ply("element vertex -1\n"), ["line 3", "element vertex -1"]),
@@ -192,7 +234,8 @@ fn bad_obj_files_are_named_with_their_line() {
 
 #[test]
 fn other_files_are_refused() {
-    assert_fails("scan.stl", b"solid", &[".ply or .obj"]);
+    assert_fails("scan.stl", b"solid", &[".ply, .obj", "or .pts"]);
+    assert!(Model::is_model(Path::new("a.LAZ")) && !Model::is_model(Path::new("a.toml")));
     let message = Model::load(Path::new("missing.ply")).expect_err("there is no such file").to_string();
     assert!(message.contains("missing.ply") && message.contains("cannot be read"), "{message}");
 }
