@@ -57,8 +57,12 @@ impl fmt::Display for Inspection {
         writeln!(f, "{}", self.path.display())?;
         writeln!(f, "  points     {}", self.points)?;
         writeln!(f, "  triangles  {}", self.triangles)?;
-        // As single precision, in which scans come: no digits that the file does not have.
-        writeln!(f, "  bounds     {} to {}", low.as_vec3(), high.as_vec3())?;
+        // As single precision, in which most scans come: no digits that the file does not have.
+        if [low, high].iter().all(|corner| corner.as_vec3().as_dvec3() == *corner) {
+            writeln!(f, "  bounds     {} to {}", low.as_vec3(), high.as_vec3())?;
+        } else {
+            writeln!(f, "  bounds     {low} to {high}")?;
+        }
         writeln!(f, "  normals    {}", self.normals)?;
         writeln!(f, "  colors     {}", if self.colors { "in the file" } else { "none" })?;
         write!(f, "  spacing    {least:.3e} least, {mean:.3e} mean, {greatest:.3e} greatest")

@@ -1,6 +1,8 @@
-//! Color images: writing, comparing, magnifying differences.
+//! Color images: writing, one or a sequence, comparing, magnifying differences; and images of numbers.
 
-use std::path::Path;
+use std::fs::File;
+use std::io::{BufWriter, Error, Write};
+use std::path::{Path, PathBuf};
 
 /// An image of sRGB-encoded components in `0..=1`, row by row from the top left.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,8 +19,90 @@ pub struct Picture {
 #[derive(Debug, thiserror::Error)]
 #[error("{}: cannot be written: {source}", path.display())]
 pub struct PictureError {
-    path: std::path::PathBuf,
-    source: image::ImageError,
+    path: PathBuf,
+    source: Error,
+}
+
+impl PictureError {
+    fn new(path: &Path, source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+        Self { path: path.to_owned(), source: Error::other(source) }
+    }
+}
+
+/// Frames of an animation in a second.
+const FRAMES_PER_SECOND: u16 = 12;
+
+/// An animated PNG in the making, which every browser shows; it plays without end.
+pub struct Animation {
+    path: PathBuf,
+    writer: png::Writer<BufWriter<File>>,
+    /// Frames still to come.
+    missing: usize,
+}
+
+impl Animation {
+    /// Begins a file of so many frames of a size.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn create(path: &Path, [width, height]: [usize; 2], frames: usize) -> Result<Self, PictureError> {
+        let fault = |error: png::EncodingError| PictureError::new(path, error);
+        let file = File::create(path).map_err(|source| PictureError { path: path.to_owned(), source })?;
+        let mut encoder = png::Encoder::new(BufWriter::new(file), width as u32, height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_animated(frames as u32, 0).map_err(fault)?;
+        encoder.set_frame_delay(1, FRAMES_PER_SECOND).map_err(fault)?;
+        let writer = encoder.write_header().map_err(fault)?;
+        Ok(Self { path: path.to_owned(), writer, missing: frames })
+    }
+
+    /// Adds the next frame.
+    ///
+    /// # Errors
+    /// The file cannot be written, or the frame is of another size or one too many.
+    pub fn push(&mut self, picture: &Picture) -> Result<(), PictureError> {
+        let missing = self.missing.checked_sub(1);
+        self.missing = missing.ok_or_else(|| PictureError::new(&self.path, "it has all its frames"))?;
+        self.writer.write_image_data(&picture.bytes()).map_err(|error| PictureError::new(&self.path, error))
+    }
+
+    /// Closes the file.
+    ///
+    /// # Errors
+    /// The file cannot be written, or frames are missing.
+    pub fn finish(self) -> Result<(), PictureError> {
+        let path = self.path;
+        self.writer.finish().map_err(|error| PictureError::new(&path, error))
+    }
+}
+
+/// An image of numbers, one or three a pixel, row by row from the top left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FloatImage<const CHANNELS: usize> {
+    /// Pixels a row.
+    pub width: usize,
+    /// The numbers of each pixel.
+    pub pixels: Vec<[f32; CHANNELS]>,
+}
+
+impl<const CHANNELS: usize> FloatImage<CHANNELS> {
+    /// Writes a PFM (portable float map), which image viewers and OpenCV read: `PF` of three numbers a pixel, `Pf` of one.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn save_pfm(&self, path: &Path) -> Result<(), PictureError> {
+        const { assert!(CHANNELS == 1 || CHANNELS == 3, "the format has no others") };
+        let kind = if CHANNELS == 1 { "Pf" } else { "PF" };
+        let height = self.pixels.len() / self.width.max(1);
+        // Little-endian, says the negative scale; the lowest row comes first.
+        let mut bytes = format!("{kind}\n{} {height}\n-1.0\n", self.width).into_bytes();
+        for row in self.pixels.chunks(self.width.max(1)).rev() {
+            bytes.extend(row.iter().flatten().flat_map(|number| number.to_le_bytes()));
+        }
+        let written = File::create(path).and_then(|mut file| file.write_all(&bytes));
+        written.map_err(|source| PictureError { path: path.to_owned(), source })
+    }
 }
 
 impl Picture {
@@ -43,7 +127,7 @@ impl Picture {
             image::ColorType::Rgb8,
             image::ImageFormat::Png,
         )
-        .map_err(|source| PictureError { path: path.to_owned(), source })
+        .map_err(|error| PictureError::new(path, error))
     }
 
     /// Peak signal-to-noise ratio in decibels, over the sRGB-encoded components without rounding to 8 bits; infinite
@@ -94,6 +178,41 @@ mod tests {
     fn differences_are_magnified_and_clipped() {
         assert!((gray(0.5).difference(&gray(0.49), 10.0).pixels[1][2] - 0.1).abs() < 1e-9);
         assert_eq!(gray(0.9).difference(&gray(0.1), 10.0), gray(1.0));
+    }
+
+    #[test]
+    fn an_animation_has_its_frames() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("animation.png");
+        let mut animation = Animation::create(&path, [2, 1], 2).expect("the folder is writable");
+        for value in [0.2, 0.6] {
+            animation.push(&gray(value)).expect("the folder is writable");
+        }
+        assert!(animation.push(&gray(1.0)).is_err(), "one too many");
+        let mut animation = Animation::create(&path, [2, 1], 2).expect("the folder is writable");
+        for value in [0.2, 0.6] {
+            animation.push(&gray(value)).expect("the folder is writable");
+        }
+        animation.finish().expect("all frames are there");
+        let file = std::io::BufReader::new(File::open(&path).expect("it was just written"));
+        let mut reader = png::Decoder::new(file).read_info().expect("it is a PNG");
+        assert_eq!(reader.info().animation_control().map(|control| control.num_frames), Some(2));
+        let mut bytes = [0; 6];
+        for expected in [51, 153] {
+            reader.next_frame(&mut bytes).expect("the frame is there");
+            assert_eq!(bytes, [expected; 6]);
+        }
+    }
+
+    #[test]
+    fn numbers_are_written_as_they_are_from_the_lowest_row() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("depth.pfm");
+        let image = FloatImage { width: 1, pixels: vec![[1.5], [f32::INFINITY]] };
+        image.save_pfm(&path).expect("the folder is writable");
+        let expected = [&b"Pf\n1 2\n-1.0\n"[..], &f32::INFINITY.to_le_bytes(), &1.5_f32.to_le_bytes()].concat();
+        assert_eq!(std::fs::read(&path).expect("it was just written"), expected);
+        assert!(image.save_pfm(&folder.path().join("missing/depth.pfm")).is_err());
     }
 
     #[test]

@@ -55,6 +55,16 @@ fn resolve(samples: Picture, sampling: Sampling, edge: usize) -> Picture {
     }
 }
 
+/// Pixels a row and rows of [`picture`].
+#[must_use]
+pub fn picture_size(scene: &Scene) -> [usize; 2] {
+    let (edge, [width, height]) = (scene.samples, [scene.rendering.width, scene.rendering.height]);
+    match scene.rendering.sampling {
+        Sampling::Center => [width / edge, height / edge],
+        Sampling::Flipquad => [width / 2 - 1, height - 1],
+    }
+}
+
 /// The picture of a frame of `scene`, whose pixels may have several samples.
 #[must_use]
 pub fn picture(frame: &Frame, scene: &Scene) -> Picture {
@@ -135,6 +145,10 @@ mod tests {
             background: [0.0, 0.5, 1.0],
             samples: 1,
             overrides: toml::Table::new(),
+            placement: crate::scene::Placement::WORLD,
+            sides: Vec::new(),
+            views: Vec::new(),
+            notes: Vec::new(),
         };
         let [x, y, z] = normal;
         let fragment = Fragment { depth: 0.5, weight: 1.0, attributes: [x, y, z, 1.0, 1.0, 1.0], material };

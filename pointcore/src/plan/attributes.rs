@@ -29,7 +29,12 @@ pub(super) fn filter_conflict(scene: &Scene, rasterizer: RasterFormat) -> Option
 
 /// Indices of the attributes that differ between splats (at least one is carried), and the values of the others.
 pub(super) fn attributes(scene: &Scene) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
+    // Splats that turn with the eye have another normal in another frame.
+    let turns = scene.views.len() > 1 && !scene.sides.is_empty() && scene.is_lit();
     let constant = |index: usize| {
+        if turns && NORMAL.contains(&index) {
+            return None;
+        }
         let first = scene.splats.first().map(|splat| splat.attributes[index])?;
         scene.splats.iter().all(|splat| splat.attributes[index] == first).then_some(first)
     };

@@ -60,8 +60,22 @@ pub(super) struct Demand {
 }
 
 impl Demand {
-    /// What the frame of a scene asks for on hardware with everything in.
+    /// What the frames of a scene ask for on hardware with everything in: of each figure the greatest.
     pub(super) fn of(scene: &Scene, everything: &Config) -> Self {
+        let now = Self::of_frame(scene, everything);
+        // The first of several frames is what a scene shows when it is planned, or any: all are asked.
+        if scene.views.len() < 2 {
+            return now;
+        }
+        let mut shown = scene.clone();
+        scene.views.iter().fold(now, |demand, view| {
+            shown.look(view);
+            demand.or(Self::of_frame(&shown, everything))
+        })
+    }
+
+    /// What the frame that a scene shows asks for.
+    fn of_frame(scene: &Scene, everything: &Config) -> Self {
         let units = Units::new(scene, everything);
         scene
             .splats
@@ -69,6 +83,18 @@ impl Demand {
             .enumerate()
             .map(|(index, splat)| units.demand(index, splat))
             .reduce(Self::default, Self::sum)
+    }
+
+    /// Of two frames, the greater of each figure, and the tiles of both.
+    fn or(self, other: Self) -> Self {
+        Self {
+            back_facing: self.back_facing.max(other.back_facing),
+            filtered: self.filtered.max(other.filtered),
+            crossing: self.crossing.max(other.crossing),
+            drawn: self.drawn.max(other.drawn),
+            copies: self.copies.max(other.copies),
+            ..self.sum(other)
+        }
     }
 
     fn sum(self, other: Self) -> Self {

@@ -5,11 +5,13 @@
 
 mod attributes;
 mod demand;
+mod depth;
 mod effect;
 mod error;
 mod given;
 mod overrides;
 
+pub use depth::DepthLoss;
 pub use effect::{Effect, EffectExtent};
 pub use error::PlanError;
 

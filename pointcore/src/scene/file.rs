@@ -1,7 +1,9 @@
 //! The scene file as it is written: TOML tables whose keys are all known.
 
 use super::error::SceneError;
-use super::model::NormalSource;
+use super::model::{Model, NormalSource};
+use super::settings::{self, apply};
+use crate::wording::plain;
 use pointcore_contract::{FragmentDepth, Sampling};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -13,7 +15,7 @@ pub(super) struct SceneFile {
     pub camera: CameraTable,
     pub image: ImageTable,
     #[serde(default)]
-    pub light: Light,
+    pub light: LightTable,
     #[serde(default)]
     pub splatting: SplattingTable,
     #[serde(default, rename = "material")]
@@ -24,21 +26,38 @@ pub(super) struct SceneFile {
     pub overrides: toml::Table,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub(super) struct CameraTable {
-    pub eye: [f64; 3],
-    pub target: [f64; 3],
-    #[serde(default = "y_axis")]
-    pub up: [f64; 3],
+    /// Whether the camera goes where it sees the whole scene.
+    pub fit: bool,
+    /// With `fit`, where to look from: the direction from the scene to the eye.
+    pub from: Option<[f64; 3]>,
+    pub eye: Option<[f64; 3]>,
+    pub target: Option<[f64; 3]>,
+    pub up: Option<[f64; 3]>,
     /// Vertical opening angle.
-    pub fov_degrees: f64,
-    pub near: f64,
-    pub far: f64,
+    pub fov_degrees: Option<f64>,
+    /// By default both planes lie around what is before the eye.
+    pub near: Option<f64>,
+    pub far: Option<f64>,
+    /// Frames of a turn around the target.
+    pub turntable: Option<usize>,
+    /// Where a path leads, evenly in time.
+    #[serde(rename = "keyframe")]
+    pub keyframes: Vec<Keyframe>,
+    /// Frames of the path.
+    pub frames: Option<usize>,
 }
 
-fn y_axis() -> [f64; 3] {
-    [0.0, 1.0, 0.0]
+/// A place on a camera's path; what it leaves out is the camera's.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keyframe {
+    pub eye: [f64; 3],
+    pub target: Option<[f64; 3]>,
+    pub up: Option<[f64; 3]>,
+    pub fov_degrees: Option<f64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -61,8 +80,7 @@ fn one_sample() -> usize {
 }
 
 /// The one light, infinitely far away.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// From the surface towards the light, in world space; of any length but zero.
     pub direction: [f64; 3],
@@ -76,6 +94,36 @@ impl Default for Light {
     fn default() -> Self {
         Self { direction: [0.5, 1.0, 0.8], ambient: 0.08, diffuse: 0.92 }
     }
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct LightTable {
+    pub direction: LightDirection,
+    pub ambient: f64,
+    pub diffuse: f64,
+}
+
+impl Default for LightTable {
+    fn default() -> Self {
+        let Light { direction, ambient, diffuse } = Light::default();
+        Self { direction: LightDirection::World(direction), ambient, diffuse }
+    }
+}
+
+/// Where the light comes from.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected three numbers or \"camera\"")]
+pub(super) enum LightDirection {
+    World([f64; 3]),
+    Derived(DerivedDirection),
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum DerivedDirection {
+    /// From over the shoulder of who looks, wherever the camera goes.
+    Camera,
 }
 
 /// How a surface reflects the light besides its color; splats refer to it by its index.
@@ -134,7 +182,7 @@ impl Kind {
 
 /// The radius of an object's splats before [`ObjectTable::radius_scale`].
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(untagged, expecting = "expected a number or \"spacing\"")]
+#[serde(untagged, expecting = "expected a number or \"spacing\" or \"elliptic\"")]
 pub(super) enum Radius {
     Length(f64),
     Derived(DerivedRadius),
@@ -144,6 +192,48 @@ pub(super) enum Radius {
 #[serde(rename_all = "snake_case")]
 pub(super) enum DerivedRadius {
     Spacing,
+    /// Discs as long and as wide as the points around them spread.
+    Elliptic,
+}
+
+/// How many points an object has.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected a number of points or \"auto\"")]
+pub(super) enum Points {
+    Count(usize),
+    Derived(DerivedPoints),
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum DerivedPoints {
+    /// Those of the file, unless they are too few for its faces or too many for a simulation.
+    Auto,
+}
+
+/// Whether discs are seen from behind, too.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected true, false or \"estimated\"")]
+pub(super) enum TwoSided {
+    Always(bool),
+    Derived(DerivedSides),
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum DerivedSides {
+    /// Where normals are estimated, and so may point to either side.
+    Estimated,
+}
+
+/// Which side of the surface estimated normals point to.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Orientation {
+    /// To that of their neighbors, along a minimum spanning tree.
+    Tree,
+    /// Towards the sensor.
+    Viewpoint,
 }
 
 /// An object of any kind; which keys apply to which is settled when it is built.
@@ -152,7 +242,7 @@ pub(super) enum DerivedRadius {
 pub(super) struct ObjectTable {
     pub kind: Kind,
 
-    pub points: Option<usize>,
+    pub points: Option<Points>,
     pub outer_radius: Option<f64>,
     pub tube_radius: Option<f64>,
     pub knot_radius: Option<f64>,
@@ -163,6 +253,14 @@ pub(super) struct ObjectTable {
 
     pub path: Option<PathBuf>,
     pub normals: Option<NormalSource>,
+    pub orient: Option<Orientation>,
+    /// Where the sensor stood, by default what the file says.
+    pub viewpoint: Option<[f64; 3]>,
+    /// Leaves out points that are no numbers.
+    pub drop_invalid: Option<bool>,
+    pub two_sided: Option<TwoSided>,
+    /// Radii by spacing end at so many times their median: a stray point is no disc over everything.
+    pub radius_limit: Option<f64>,
 
     #[serde(default)]
     pub translate: [f64; 3],
@@ -189,15 +287,18 @@ fn by_spacing() -> Radius {
 }
 
 fn read(path: &Path) -> Result<String, SceneError> {
+    if Model::is_model(path) {
+        return settings::model_scene(path);
+    }
     std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
 }
 
 fn syntax(path: &Path, error: &toml::de::Error) -> SceneError {
-    SceneError::Syntax { path: path.to_owned(), message: error.to_string().trim_end().to_owned() }
+    SceneError::Syntax { path: path.to_owned(), message: plain(error) }
 }
 
 impl SceneFile {
-    /// Reads a scene file, with `key.path=value` settings replacing what it says.
+    /// Reads a scene file, or makes one for a model, with `key.path=value` settings replacing what it says.
     pub(super) fn load(path: &Path, settings: &[String]) -> Result<Self, SceneError> {
         let text = read(path)?;
         let syntax = |error| syntax(path, &error);
@@ -232,29 +333,4 @@ impl SceneFile {
         }
         Ok(toml::to_string(&table).expect("it was TOML before"))
     }
-}
-
-/// Replaces or adds the value that a setting such as `object.0.path=scan.ply` names.
-fn apply(root: &mut toml::Value, setting: &str) -> Result<(), String> {
-    let (keys, text) = setting.split_once('=').ok_or("expected `key=value`, e.g. `object.0.path=scan.ply`")?;
-    // What is not a TOML value is a string that the shell has stripped of its quotes.
-    let parsed = toml::from_str::<toml::Table>(&format!("value = {text}")).ok().filter(|table| table.len() == 1);
-    let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| text.into());
-
-    let (parents, last) = keys.rsplit_once('.').unwrap_or(("", keys));
-    let mut place = root;
-    for key in parents.split('.').filter(|key| !key.is_empty()) {
-        place = match place {
-            toml::Value::Array(items) => {
-                let count = items.len();
-                let item = key.parse().ok().and_then(|index: usize| items.get_mut(index));
-                item.ok_or_else(|| format!("`{key}` is not an index below {count}"))?
-            }
-            toml::Value::Table(table) => table.entry(key).or_insert_with(|| toml::Value::Table(toml::Table::new())),
-            _ => return Err(format!("`{key}` lies below a plain value")),
-        };
-    }
-    let toml::Value::Table(table) = place else { return Err(format!("`{last}` is not a key of a table")) };
-    table.insert(last.to_owned(), value);
-    Ok(())
 }

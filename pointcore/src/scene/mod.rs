@@ -3,45 +3,36 @@
 //! Colors in the file are sRGB, as an image editor shows them; splats carry them linear. Paths are relative to the
 //! scene file. World space is right-handed; `up` is y by default.
 
+mod assemble;
+mod builder;
 mod camera;
+mod disc;
 mod error;
 mod file;
+mod fit;
 pub(crate) mod model;
 pub mod neighbors;
 pub mod normals;
 mod object;
+mod scan;
+mod settings;
 mod shapes;
 
+pub use builder::SceneBuilder;
+pub use disc::{Disc, Placement, Sides};
 pub use error::SceneError;
 pub use file::{Light, Material};
-pub use model::{Model, NormalOrigin, NormalSource};
+pub use model::{InvalidPoints, Model, NormalOrigin, NormalSource};
 pub use shapes::trefoil;
 
-use crate::color::linear_from_srgb;
-use file::{ImageTable, SceneFile, SplattingTable};
+use file::SceneFile;
 use glam::DVec3;
-use pointcore_contract::splat::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
 use pointcore_contract::surface::NORMAL;
-use pointcore_contract::{Camera, Rendering, Sampling, Splat};
+use pointcore_contract::{Camera, Rendering, Splat};
 use std::path::Path;
 
-/// The share of a splat's radius by which surfaces may lie apart in depth and still blend. Neighboring splats of a
-/// curved surface that all face the eye have no depth range of their own (eq. 5.9), but do differ in depth.
-const BLENDED_RADIUS_SHARE: f64 = 0.5;
 /// Thirty times the largest scan of the thesis; keeps a slip of the keyboard from filling the memory.
 const SPLAT_LIMIT: usize = 4_000_000;
-/// A filter of eight tiles' width; beyond, a picture is a blur.
-const FILTER_RADIUS_LIMIT_PX: f64 = 64.0;
-/// A splat that blends with what lies this many of its own depth ranges away blends with everything.
-const EPSILON_SCALE_LIMIT: f64 = 1e6;
-/// A light that is overexposed by this factor leaves nothing but white.
-const INTENSITY_LIMIT: f64 = 1000.0;
-/// Samples along an edge beyond which more show nothing.
-const SAMPLES_LIMIT: usize = 8;
-/// Cut off nearer, splats leave holes; farther, the kernel has hardly any weight left.
-const CUTOFF_RANGE: std::ops::RangeInclusive<f64> = 0.25..=2.0;
-/// A highlight narrower than a pixel of the largest picture.
-const SHININESS_LIMIT: f64 = 1e6;
 
 /// A scene, ready to be rendered.
 #[derive(Clone, Debug)]
@@ -62,55 +53,69 @@ pub struct Scene {
     pub samples: usize,
     /// Keys of the hardware configuration that this scene wants changed.
     pub overrides: toml::Table,
+    /// Where in world space the splats' coordinates count from, and in what unit: the camera's, too.
+    pub placement: Placement,
+    /// Which side of each splat is seen; empty if each is seen from its front.
+    pub sides: Vec<Sides>,
+    /// The frames of its sequence, one at least; the first is what the scene shows after loading.
+    pub views: Vec<View>,
+    /// What whoever draws it should know about its models.
+    pub notes: Vec<String>,
+}
+
+/// What differs from frame to frame of a sequence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// The camera.
+    pub camera: Camera,
+    /// The light.
+    pub light: Light,
+    /// How far surfaces may lie apart in depth and still blend.
+    pub epsilon_bias: f64,
 }
 
 impl Scene {
-    /// Loads a scene file and the models it names. Each of `settings` reads `key=value` and replaces a value of the
-    /// file, e.g. `object.0.path=scan.ply`.
+    /// Loads a scene file and the models it names, or a model alone, which a camera then fits. Each of `settings` reads `key=value` and
+    /// replaces a value of the file, e.g. `object.0.path=scan.ply`.
     ///
     /// # Errors
     /// The file or one of its models is missing or malformed; the message names file and key.
     pub fn load(path: &Path, settings: &[String]) -> Result<Self, SceneError> {
         let file = SceneFile::load(path, settings)?;
-        let value = |key: String, problem: String| SceneError::Value { path: path.to_owned(), key, problem };
-        let camera =
-            camera::derive(&file.camera, &file.image).map_err(|(key, problem)| value(key.to_owned(), problem))?;
-        object::check_color(file.image.background).map_err(|problem| value("image.background".to_owned(), problem))?;
-        check_light(&file.light).map_err(|(key, problem)| value(key.to_owned(), problem))?;
-
-        for (index, material) in file.materials.iter().enumerate() {
-            check_material(material).map_err(|(key, problem)| value(format!("material.{index}.{key}"), problem))?;
-        }
-
-        let materials = if file.materials.is_empty() { vec![Material::default()] } else { file.materials };
-        let mut splats = Vec::new();
+        let value = |(key, problem): (String, String)| SceneError::Value { path: path.to_owned(), key, problem };
+        assemble::check(&file).map_err(value)?;
+        let (mut discs, mut notes) = (Vec::new(), Vec::new());
         for (index, object) in file.objects.iter().enumerate() {
             let key = format!("object.{index}");
-            if usize::from(object.material) >= materials.len() {
-                let problem = format!("is {}: expected an index below {}", object.material, materials.len());
-                return Err(value(format!("{key}.material"), problem));
-            }
-            splats.extend(object::build(object, path, &key)?);
-            if splats.len() > SPLAT_LIMIT {
-                let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", splats.len());
-                return Err(value(key, problem));
+            discs.extend(object::build(object, path, &key, &mut notes)?);
+            if discs.len() > SPLAT_LIMIT {
+                let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", discs.len());
+                return Err(value((key, problem)));
             }
         }
-        if splats.is_empty() {
-            return Err(value("object".to_owned(), "is empty: a scene needs at least one object".to_owned()));
-        }
+        assemble::assemble(file, &discs, notes).map_err(value)
+    }
 
-        let rendering = rendering(&file.image, &file.splatting, blending_depth(&splats, &camera))
-            .map_err(|(key, problem)| value(key.to_owned(), problem))?;
-        let background = file.image.background.map(linear_from_srgb);
-        let (light, overrides) = (file.light, file.overrides);
-        let scene = Self { camera, rendering, splats, light, materials, background, samples: 1, overrides };
-        let (samples, cutoff) = (file.image.samples, file.splatting.cutoff.unwrap_or(1.0));
-        check_sampling(samples, &scene.rendering).map_err(|problem| value("image.sampling".to_owned(), problem))?;
-        check_samples(samples, &scene.rendering).map_err(|problem| value("image.samples".to_owned(), problem))?;
-        camera::within("splatting.cutoff", cutoff, CUTOFF_RANGE)
-            .map_err(|(key, problem)| value(key.to_owned(), problem))?;
-        Ok(scene.without_unread().cut_off(cutoff).supersampled(samples))
+    /// A scene of discs in memory, seen by a camera around it unless the builder is told otherwise.
+    #[must_use]
+    pub fn of(discs: Vec<Disc>) -> SceneBuilder {
+        SceneBuilder::new(discs)
+    }
+
+    /// Shows a frame of the sequence: camera, light, and splats that turn to the eye.
+    pub fn look(&mut self, view: &View) {
+        self.camera = view.camera;
+        self.light = view.light.clone();
+        self.rendering.epsilon_bias = view.epsilon_bias;
+        let rows = view.camera.model_view;
+        // A rotation's inverse is its transpose.
+        let eye: DVec3 = rows.iter().map(|row| -row[3] * DVec3::from_slice(row)).sum();
+        for (splat, sides) in self.splats.iter_mut().zip(&self.sides) {
+            disc::turn(splat, *sides, eye);
+        }
+        if !self.is_lit() {
+            self.splats.iter_mut().for_each(|splat| splat.attributes[NORMAL].fill(0.0));
+        }
     }
 
     /// Whether the light falls on surfaces from its direction, so that shading reads normals and materials.
@@ -142,9 +147,11 @@ impl Scene {
     #[must_use]
     pub fn supersampled(mut self, factor: usize) -> Self {
         let scale = factor as f64;
-        let Camera { scale_x, scale_y, center_x, center_y, .. } = &mut self.camera;
-        for length in [scale_x, scale_y, center_x, center_y] {
-            *length *= scale;
+        for camera in self.views.iter_mut().map(|view| &mut view.camera).chain([&mut self.camera]) {
+            let Camera { scale_x, scale_y, center_x, center_y, .. } = camera;
+            for length in [scale_x, scale_y, center_x, center_y] {
+                *length *= scale;
+            }
         }
         self.rendering.width *= factor;
         self.rendering.height *= factor;
@@ -185,101 +192,8 @@ impl Scene {
     }
 }
 
-/// Image size, kernel and tolerance; `blending_depth` is the tolerance unless the scene says another.
-fn rendering(
-    image: &ImageTable,
-    splatting: &SplattingTable,
-    blending_depth: f64,
-) -> Result<Rendering, camera::Problem> {
-    let number = |key, given: Option<f64>, default, range| {
-        given.map_or(Ok(default), |number| camera::within(key, number, range).map(|()| number))
-    };
-    let kernel_gamma =
-        number("splatting.kernel_gamma", splatting.kernel_gamma, Rendering::DEFAULT_KERNEL_GAMMA, KERNEL_GAMMA_RANGE)?;
-    let filter_radius_px = number(
-        "splatting.filter_radius_px",
-        splatting.filter_radius_px,
-        Rendering::DEFAULT_FILTER_RADIUS_PX,
-        0.0..=FILTER_RADIUS_LIMIT_PX,
-    )?;
-    let epsilon_scale = number(
-        "splatting.epsilon_scale",
-        splatting.epsilon_scale,
-        Rendering::DEFAULT_EPSILON_SCALE,
-        0.0..=EPSILON_SCALE_LIMIT,
-    )?;
-    // A pixel's right and bottom sides are the left and top sides of pixels beside it: the last ones have such beside them, too.
-    let (width, height) = match image.sampling {
-        Sampling::Center => (image.width, image.height),
-        Sampling::Flipquad => (2 * (image.width + 1), image.height + 1),
-    };
-    Ok(Rendering {
-        width,
-        height,
-        sampling: image.sampling,
-        depth: splatting.depth,
-        kernel_gamma,
-        filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
-        epsilon_scale,
-        epsilon_bias: number("splatting.epsilon_bias", splatting.epsilon_bias, blending_depth, 0.0..=1.0)?,
-    })
-}
-
-fn check_samples(samples: usize, rendering: &Rendering) -> Result<(), String> {
-    if !(1..=SAMPLES_LIMIT).contains(&samples) {
-        return Err(format!("is {samples}: expected 1 to {SAMPLES_LIMIT} along an edge of a pixel"));
-    }
-    let longest = samples * rendering.width.max(rendering.height);
-    let limit = IMAGE_EDGE_MAX as usize;
-    (longest <= limit).then_some(()).ok_or_else(|| {
-        format!("is {samples}, which makes {longest} samples along an edge of the image: expected up to {limit}")
-    })
-}
-
-fn check_sampling(samples: usize, rendering: &Rendering) -> Result<(), String> {
-    let limit = IMAGE_EDGE_MAX as usize;
-    match rendering.sampling {
-        Sampling::Center => Ok(()),
-        Sampling::Flipquad if samples > 1 => {
-            Err(format!("is \"flipquad\", which has samples of its own: expected `image.samples` = 1, not {samples}"))
-        }
-        Sampling::Flipquad if rendering.width.max(rendering.height) > limit => Err(format!(
-            "is \"flipquad\", which makes {} by {} samples: expected up to {limit}, an image of {} by {} pixels",
-            rendering.width,
-            rendering.height,
-            limit / 2 - 1,
-            limit - 1
-        )),
-        Sampling::Flipquad => Ok(()),
-    }
-}
-
-fn check_light(light: &Light) -> Result<(), camera::Problem> {
-    if DVec3::from_array(light.direction).try_normalize().is_none() {
-        return Err(("light.direction", format!("is {:?}: expected a vector other than zero", light.direction)));
-    }
-    camera::within("light.ambient", light.ambient, 0.0..=INTENSITY_LIMIT)?;
-    camera::within("light.diffuse", light.diffuse, 0.0..=INTENSITY_LIMIT)
-}
-
-fn check_material(material: &Material) -> Result<(), camera::Problem> {
-    camera::within("specular", material.specular, 0.0..=1.0)?;
-    camera::within("shininess", material.shininess, 0.0..=SHININESS_LIMIT)
-}
-
-/// The mean, over the splats before the camera, of the depth difference that [`BLENDED_RADIUS_SHARE`] of their radius
-/// makes: `|∂depth/∂Z| = |depth_b| / Z²`.
-fn blending_depth(splats: &[Splat], camera: &Camera) -> f64 {
-    let forward = camera.model_view[2];
-    let depth = |splat: &Splat| {
-        let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-        let distance = DVec3::from_slice(&forward).dot(vector(splat.center)) + forward[3];
-        let radius = vector(splat.tangents[0]).length();
-        (distance > camera.near).then(|| BLENDED_RADIUS_SHARE * radius * camera.depth_b.abs() / (distance * distance))
-    };
-    let visible: Vec<f64> = splats.iter().filter_map(depth).collect();
-    visible.iter().sum::<f64>() / visible.len().max(1) as f64
-}
-
 #[cfg(test)]
 mod tests;
+
+#[cfg(test)]
+mod model_scenes;

@@ -3,6 +3,7 @@
 use glam::DVec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// Neighbors whose mean distance is a point's spacing: on a regular surface sampling, two rings of six less one.
 pub const SPACING_NEIGHBORS: usize = 11;
@@ -49,5 +50,38 @@ pub fn spacing(points: &[DVec3]) -> Result<Vec<f64>, String> {
              the radius as a number"
         )),
         None => Ok(spacing),
+    }
+}
+
+/// Points without those that lie exactly where another one does, which are no neighbors to measure by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Distinct {
+    /// The points, each place once.
+    pub points: Vec<DVec3>,
+    /// The place of each of the points that were given.
+    pub places: Vec<u32>,
+}
+
+impl Distinct {
+    /// Finds them.
+    #[must_use]
+    pub fn of(points: &[DVec3]) -> Self {
+        let (mut known, mut distinct) = (HashMap::with_capacity(points.len()), Vec::new());
+        let mut place = |point: &DVec3| {
+            // Of the two zeros each is where the other is.
+            let key = (*point + DVec3::ZERO).to_array().map(f64::to_bits);
+            *known.entry(key).or_insert_with(|| {
+                distinct.push(*point);
+                distinct.len() as u32 - 1
+            })
+        };
+        let places = points.iter().map(&mut place).collect();
+        Self { points: distinct, places }
+    }
+
+    /// What was found of the places, for each of the points that were given.
+    #[must_use]
+    pub fn spread<T: Clone>(&self, found: &[T]) -> Vec<T> {
+        self.places.iter().map(|&place| found[place as usize].clone()).collect()
     }
 }

@@ -1,6 +1,6 @@
 //! Normals of points: from triangles, or estimated from neighbors and oriented consistently.
 
-use super::neighbors::{self, NearPoint};
+use super::neighbors::{self, Distinct, NearPoint};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -63,19 +63,52 @@ pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
     Ok(normals)
 }
 
+/// How points spread in space: along three axes across each other, by these variances, the least first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Variances along the axes.
+    pub variances: [f64; 3],
+    /// Unit vectors.
+    pub axes: [DVec3; 3],
+}
+
+/// Of points on a line, the share of the greatest variance that the middle one may have by rounding.
+const LINE_SHARE: f64 = 1e-10;
+
+impl Spread {
+    /// That of a point and its neighbors around their mean.
+    #[must_use]
+    pub fn of(points: &[DVec3], index: usize, neighbors: &[NearPoint]) -> Self {
+        let near: Vec<_> =
+            neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([points[index]]).collect();
+        let mean = near.iter().sum::<DVec3>() / near.len() as f64;
+        let product = |v: &DVec3| {
+            DMat3::from_cols((v - mean) * (v - mean).x, (v - mean) * (v - mean).y, (v - mean) * (v - mean).z)
+        };
+        let (values, vectors) = eigen(near.iter().map(product).fold(DMat3::ZERO, |sum, term| sum + term));
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        Self {
+            variances: order.map(|axis| values[axis].max(0.0) / near.len() as f64),
+            axes: order.map(|axis| vectors.col(axis).normalize()),
+        }
+    }
+
+    /// Whether the points span a plane: those of a line, or of one place, have no normal.
+    #[must_use]
+    pub fn is_plane(&self) -> bool {
+        self.variances[1] > LINE_SHARE * self.variances[2]
+    }
+}
+
 /// The unit normal of the plane that a point and its neighbors spread around least, pointing to either side.
 #[must_use]
 pub fn fit(points: &[DVec3], index: usize, neighbors: &[NearPoint]) -> DVec3 {
-    let near: Vec<_> =
-        neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([points[index]]).collect();
-    let mean = near.iter().sum::<DVec3>() / near.len() as f64;
-    let spread =
-        |v: &DVec3| DMat3::from_cols((v - mean) * (v - mean).x, (v - mean) * (v - mean).y, (v - mean) * (v - mean).z);
-    least_eigenvector(near.iter().map(spread).fold(DMat3::ZERO, |sum, term| sum + term))
+    Spread::of(points, index, neighbors).axes[0]
 }
 
-/// The unit eigenvector of the least eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.
-fn least_eigenvector(mut matrix: DMat3) -> DVec3 {
+/// The eigenvalues and unit eigenvectors of a symmetric matrix, by cyclic Jacobi rotations.
+fn eigen(mut matrix: DMat3) -> ([f64; 3], DMat3) {
     // Convergence is quadratic: a 3×3 matrix is diagonal to the last bit after about five sweeps.
     const SWEEPS: usize = 8;
     let mut vectors = DMat3::IDENTITY;
@@ -96,8 +129,60 @@ fn least_eigenvector(mut matrix: DMat3) -> DVec3 {
         matrix = rotation.transpose() * matrix * rotation;
         vectors *= rotation;
     }
-    let least = (0..3).min_by(|&a, &b| matrix.col(a)[a].total_cmp(&matrix.col(b)[b]));
-    vectors.col(least.expect("three candidates")).normalize()
+    ([0, 1, 2].map(|axis| matrix.col(axis)[axis]), vectors)
+}
+
+/// Which side normals point to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// To that of their neighbors, along a minimum spanning tree.
+    Tree,
+    /// Towards a sensor at this place.
+    Viewpoint(DVec3),
+}
+
+/// Normals estimated from neighbors, where there is a plane to have one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Unit normals; zero where neighbors lie on a line or in one place.
+    pub normals: Vec<DVec3>,
+    /// Points whose normal points to the other side than at least half of their neighbors' do.
+    pub disagreeing: usize,
+}
+
+/// Neighbors whose normals are asked whether they agree.
+const ASKED_NEIGHBORS: usize = 6;
+
+impl Estimate {
+    /// Estimates the normals of any points, few or repeated as they may be.
+    #[must_use]
+    pub fn of(points: &[DVec3], orientation: Orientation) -> Self {
+        let distinct = Distinct::of(points);
+        let neighbors = neighbors::nearest(&distinct.points, FITTED_NEIGHBORS);
+        let normal = |index: usize| {
+            let spread = Spread::of(&distinct.points, index, &neighbors[index]);
+            if spread.is_plane() { spread.axes[0] } else { DVec3::ZERO }
+        };
+        let mut normals: Vec<_> = (0..distinct.points.len()).into_par_iter().map(normal).collect();
+        match orientation {
+            Orientation::Tree => orient(&distinct.points, &neighbors, &mut normals),
+            Orientation::Viewpoint(sensor) => {
+                for (normal, point) in normals.iter_mut().zip(&distinct.points) {
+                    if normal.dot(sensor - point) < 0.0 {
+                        *normal = -*normal;
+                    }
+                }
+            }
+        }
+        let disagrees = |(normal, neighbors): (&DVec3, &Vec<NearPoint>)| {
+            let asked = neighbors.iter().take(ASKED_NEIGHBORS);
+            let turned = asked.map(|neighbor| normal.dot(normals[neighbor.index as usize])).filter(|dot| *dot < 0.0);
+            let turned = turned.count();
+            turned > 0 && 2 * turned >= neighbors.len().min(ASKED_NEIGHBORS)
+        };
+        let disagreeing = normals.iter().zip(&neighbors).filter(|pair| disagrees(*pair)).count();
+        Self { normals: distinct.spread(&normals), disagreeing }
+    }
 }
 
 /// An edge of the neighborhood graph from an oriented point to one that may not be oriented yet.

@@ -1,41 +1,51 @@
 //! An object of the scene file becomes splats: shape, radius, placement, color.
 
 use super::camera::Problem;
+use super::disc::{Disc, Sides};
 use super::error::SceneError;
-use super::file::{DerivedRadius, Kind, ObjectTable, Radius};
-use super::model::{COORDINATE_LIMIT, Model};
-use super::{SPLAT_LIMIT, neighbors, shapes};
+use super::file::{DerivedRadius, Kind, ObjectTable, Points, Radius};
+use super::model::COORDINATE_LIMIT;
+use super::{SPLAT_LIMIT, neighbors, scan, shapes};
 use crate::color::linear_from_srgb;
 use glam::{DQuat, DVec2, DVec3, EulerRot};
-use pointcore_contract::Splat;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-/// Radii of splats after scaling, whose squares stay within single precision.
-const SPLAT_RADIUS_RANGE: RangeInclusive<f64> = 1e-12..=COORDINATE_LIMIT;
+/// Radii of splats after scaling: no atom is as small, and no scan larger.
+const SPLAT_RADIUS_RANGE: RangeInclusive<f64> = 1e-30..=COORDINATE_LIMIT;
 /// Windings beyond this leave no room between the turns of a tube.
 const WINDING_LIMIT: u32 = 1000;
 /// sRGB gray of objects without any color.
 const DEFAULT_COLOR: [f64; 3] = [0.8; 3];
 
 /// An object's points before placement.
-struct Surface {
-    points: Vec<DVec3>,
-    normals: Vec<DVec3>,
-    colors: Vec<[f32; 3]>,
+pub(super) struct Surface {
+    pub points: Vec<DVec3>,
+    /// Of unit length, or zero where there is none.
+    pub normals: Vec<DVec3>,
+    pub colors: Vec<[f32; 3]>,
+    pub radii: Vec<f64>,
+    /// Half axes in the place of radii.
+    pub axes: Option<Vec<[DVec3; 2]>>,
+    pub is_two_sided: bool,
 }
 
-/// Builds the splats of an object; `scene` is the path of its scene file, `key` names it there.
-pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec<Splat>, SceneError> {
+/// Builds the discs of an object; `scene` is the path of its scene file, `key` names it there. What is to be said of it is added to `notes`.
+pub(super) fn build(
+    object: &ObjectTable,
+    scene: &Path,
+    key: &str,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Disc>, SceneError> {
     let value =
         |(name, problem): Problem| SceneError::Value { path: scene.to_owned(), key: format!("{key}.{name}"), problem };
     check_keys(object).map_err(value)?;
     check_placement(object).map_err(value)?;
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
-    let (surface, source) = if object.kind == Kind::File {
+    let surface = if object.kind == Kind::File {
         let relative = required(object.path.as_deref(), "path", Kind::File).map_err(value)?;
         let path = scene.parent().unwrap_or(Path::new("")).join(relative);
-        let surface = file_surface(object, &path, color).map_err(|error| match error {
+        scan::surface(object, &path, color, notes).map_err(|error| match error {
             SceneError::Read { path, source } => {
                 let (path, example) = (path.display(), format!("--set {key}.path=FILE"));
                 let problem =
@@ -43,25 +53,19 @@ pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec
                 value(("path", problem))
             }
             other => other,
-        })?;
-        (surface, path)
+        })?
     } else {
-        (shape_surface(object, color).map_err(value)?, scene.to_owned())
-    };
-    let radii = match object.radius {
-        Radius::Length(length) => vec![length; surface.points.len()],
-        Radius::Derived(DerivedRadius::Spacing) => {
-            neighbors::spacing(&surface.points).map_err(|problem| SceneError::model(&source, problem))?
-        }
+        shape_surface(object, color).map_err(value)?
     };
 
     let [x, y, z] = object.rotate_degrees.map(f64::to_radians);
     let rotation = DQuat::from_euler(EulerRot::XYZEx, x, y, z);
     let translation = DVec3::from_array(object.translate);
-    let splat = |index: usize| {
+    let disc = |index: usize| {
         let center = rotation * (object.scale * surface.points[index]) + translation;
         let normal = rotation * surface.normals[index];
-        let radius = object.scale * object.radius_scale * radii[index];
+        let scale = object.scale * object.radius_scale;
+        let radius = scale * surface.radii[index];
         if !SPLAT_RADIUS_RANGE.contains(&radius) || center.abs().max_element() > COORDINATE_LIMIT {
             let (low, high) = SPLAT_RADIUS_RANGE.into_inner();
             let center = center.to_array();
@@ -71,18 +75,18 @@ pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec
             );
             return Err(value(("scale", problem)));
         }
-        // Any two axes of a circle will do.
-        let (first, second) = normal.any_orthonormal_pair();
-        let [nx, ny, nz] = normal.as_vec3().to_array();
-        let [red, green, blue] = surface.colors[index];
-        Ok(Splat {
-            center: center.as_vec3().to_array(),
-            tangents: [first, second].map(|axis| (radius * axis).as_vec3().to_array()),
-            attributes: [nx, ny, nz, red, green, blue],
-            material: object.material,
-        })
+        let disc = match normal {
+            DVec3::ZERO => Disc::new(center, normal, radius),
+            unit => Disc::about(center, unit, radius),
+        };
+        let sides = if surface.is_two_sided && disc.sides == Sides::Front { Sides::Both } else { disc.sides };
+        let tangents = match &surface.axes {
+            Some(axes) => axes[index].map(|axis| rotation * (scale * axis)),
+            None => disc.tangents,
+        };
+        Ok(Disc { tangents, sides, color: surface.colors[index], material: object.material, ..disc })
     };
-    (0..surface.points.len()).map(splat).collect()
+    (0..surface.points.len()).map(disc).collect()
 }
 
 fn linear(color: [f64; 3]) -> [f32; 3] {
@@ -93,8 +97,11 @@ fn linear(color: [f64; 3]) -> [f32; 3] {
 fn check_keys(object: &ObjectTable) -> Result<(), Problem> {
     use Kind::{File, Plane, Sphere, Torus, TorusKnot};
     let procedural: &[Kind] = &[Sphere, Torus, TorusKnot, Plane];
-    let uses: [(&'static str, bool, &[Kind]); 10] = [
-        ("points", object.points.is_some(), procedural),
+    let is_elliptic = matches!(object.radius, Radius::Derived(DerivedRadius::Elliptic));
+    let is_derived = matches!(object.points, Some(Points::Derived(_)));
+    let uses: [(&'static str, bool, &[Kind]); 16] = [
+        ("points = \"auto\"", is_derived, &[File]),
+        ("radius = \"elliptic\"", is_elliptic, &[File]),
         ("outer_radius", object.outer_radius.is_some(), &[Sphere, Torus, TorusKnot]),
         ("tube_radius", object.tube_radius.is_some(), &[Torus, TorusKnot]),
         ("knot_radius", object.knot_radius.is_some(), &[TorusKnot]),
@@ -104,6 +111,11 @@ fn check_keys(object: &ObjectTable) -> Result<(), Problem> {
         ("checker_color", object.checker_color.is_some(), procedural),
         ("path", object.path.is_some(), &[File]),
         ("normals", object.normals.is_some(), &[File]),
+        ("orient", object.orient.is_some(), &[File]),
+        ("viewpoint", object.viewpoint.is_some(), &[File]),
+        ("drop_invalid", object.drop_invalid.is_some(), &[File]),
+        ("two_sided", object.two_sided.is_some(), &[File]),
+        ("radius_limit", object.radius_limit.is_some(), &[File]),
     ];
     match uses.iter().find(|(_, given, kinds)| *given && !kinds.contains(&object.kind)) {
         Some((key, _, kinds)) => {
@@ -123,7 +135,18 @@ fn check_placement(object: &ObjectTable) -> Result<(), Problem> {
     if let Radius::Length(length) = object.radius {
         positive(length, "radius")?;
     }
-    for (key, vector) in [("translate", object.translate), ("rotate_degrees", object.rotate_degrees)] {
+    if let Some(limit) = object.radius_limit {
+        positive(limit, "radius_limit")?;
+    }
+    if let Some(Points::Count(count)) = object.points
+        && !(1..=SPLAT_LIMIT).contains(&count)
+    {
+        return Err(("points", format!("is {count}: expected 1 to {SPLAT_LIMIT}")));
+    }
+    let viewpoint = object.viewpoint.unwrap_or_default();
+    for (key, vector) in
+        [("translate", object.translate), ("rotate_degrees", object.rotate_degrees), ("viewpoint", viewpoint)]
+    {
         if !vector.iter().all(|component| component.abs() <= COORDINATE_LIMIT) {
             return Err((key, format!("is {vector:?}: expected numbers up to {COORDINATE_LIMIT:e}")));
         }
@@ -154,9 +177,7 @@ fn required<T>(value: Option<T>, key: &'static str, kind: Kind) -> Result<T, Pro
 fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Problem> {
     let kind = object.kind;
     let count = required(object.points, "points", kind)?;
-    if !(1..=SPLAT_LIMIT).contains(&count) {
-        return Err(("points", format!("is {count}: expected 1 to {SPLAT_LIMIT}")));
-    }
+    let Points::Count(count) = count else { unreachable!("`check_keys` leaves derived numbers to files") };
     let length = |value: Option<f64>, key| positive(required(value, key, kind)?, key);
     let samples = match kind {
         Kind::Sphere => shapes::sphere(count, length(object.outer_radius, "outer_radius")?),
@@ -175,7 +196,7 @@ fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Probl
             let tube_radius = length(object.tube_radius, "tube_radius")?;
             shapes::Tube { outer_radius, knot_radius, tube_radius, windings }.sample(count)
         }
-        Kind::File => unreachable!("files are loaded by `file_surface`"),
+        Kind::File => unreachable!("files are loaded by `scan::surface`"),
     };
     let colors = match object.checks.zip(object.checker_color) {
         None => vec![color; samples.len()],
@@ -185,19 +206,11 @@ fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Probl
             samples.iter().map(|sample| if odd(sample) { linear(other) } else { color }).collect()
         }
     };
-    Ok(Surface {
-        points: samples.iter().map(|sample| sample.point).collect(),
-        normals: samples.iter().map(|sample| sample.normal).collect(),
-        colors,
-    })
-}
-
-/// A color in the scene overrides the file's.
-fn file_surface(object: &ObjectTable, path: &Path, color: [f32; 3]) -> Result<Surface, SceneError> {
-    let model = Model::load(path)?;
-    let (normals, _) =
-        model.unit_normals(object.normals.unwrap_or_default()).map_err(|problem| SceneError::model(path, problem))?;
-    let uniform = vec![color; model.points.len()];
-    let colors = if object.color.is_some() { uniform } else { model.colors.unwrap_or(uniform) };
-    Ok(Surface { points: model.points, normals, colors })
+    let points: Vec<_> = samples.iter().map(|sample| sample.point).collect();
+    let radii = match object.radius {
+        Radius::Length(length) => vec![length; points.len()],
+        Radius::Derived(_) => neighbors::spacing(&points).map_err(|problem| ("points", problem))?,
+    };
+    let normals = samples.iter().map(|sample| sample.normal).collect();
+    Ok(Surface { points, normals, colors, radii, axes: None, is_two_sided: false })
 }

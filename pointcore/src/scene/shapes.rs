@@ -17,7 +17,7 @@ pub struct SurfaceSample {
 
 /// The `index`-th point of a lattice of `count` points in the unit square. The golden ratio, being worst approximable,
 /// keeps it even however the square is stretched.
-fn lattice(index: usize, count: usize) -> DVec2 {
+pub fn lattice(index: usize, count: usize) -> DVec2 {
     let inverse_golden_ratio = (5_f64.sqrt() - 1.0) / 2.0;
     DVec2::new((index as f64 + 0.5) / count as f64, (index as f64 * inverse_golden_ratio).fract())
 }

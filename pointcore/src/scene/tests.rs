@@ -116,7 +116,7 @@ fn settings_replace_values() {
         ("points", "key=value"),
         ("image.width.x=1", "is not a key of a table"),
         ("object.0.kind.x.y=1", "below a plain value"),
-        ("object.0.points=many", "invalid type"),
+        ("object.0.points=many", "a number of points or"),
         ("object.0.colour=red", "unknown field"),
         ("object.0.path=a b.ply", "belongs to `file`"),
     ] {

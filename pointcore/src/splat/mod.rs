@@ -1,6 +1,7 @@
 //! The renderer from scene to picture: generation, the host around it, runs on hardware and model.
 
 mod encode;
+mod fates;
 mod frame;
 mod generate;
 mod host;
@@ -9,11 +10,14 @@ mod memory;
 mod recorded;
 mod report;
 mod run;
+mod session;
 
 pub use encode::{END, EncodedFrame};
+pub use fates::Fates;
 pub use frame::assemble;
 pub use generate::SplatCore;
 pub use host::{EventCounts, SplatCounters, SplatHost};
 pub use recorded::record;
-pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit};
+pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit, sum_limit};
 pub use run::{SplatOutcome, SplatRunner};
+pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame};

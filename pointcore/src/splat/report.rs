@@ -1,19 +1,35 @@
 //! What a run says: figures with their definitions, as JSON and as a page to read.
 
+use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
 use pointcore_contract::splat::{AttributeFormat, Config, records};
 use pointcore_golden::reference::Frame;
 use serde::Serialize;
 use std::fmt::Write as _;
 
-/// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently. In coarse fixed point it is
-/// [more](rounding_limit).
+/// Largest difference of an attribute that the rounding of one value explains. In coarse fixed point it is [more](rounding_limit), and that of
+/// sums of many samples [grows with them](sum_limit).
 pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
 
 /// Units in the last place of a fixed-point attribute that the host's and the normalizer's rounding and the missing one come to.
 const ROUNDED_PLACES: f64 = 2.0;
 
-/// Largest difference of an attribute that rounding explains on a configuration.
+/// Roundings of a sample on its way into a sum: of its attribute, of the product with its weight, of the sum.
+const ROUNDINGS_PER_SAMPLE: f64 = 3.0;
+
+/// Largest difference that the rounding of sums over so many samples explains; sums in fixed point are exact.
+#[must_use]
+pub fn sum_limit(config: &Config, samples: u32) -> f64 {
+    match config.attribute {
+        AttributeFormat::Float(format) => {
+            let half_place = 0.5_f64.powi(format.mantissa as i32 + 1);
+            ROUNDING_LIMIT.max(ROUNDINGS_PER_SAMPLE * f64::from(samples) * half_place)
+        }
+        AttributeFormat::Fixed(_) => rounding_limit(config),
+    }
+}
+
+/// Largest difference of an attribute that the rounding of one value explains on a configuration.
 #[must_use]
 pub fn rounding_limit(config: &Config) -> f64 {
     match config.attribute {
@@ -42,6 +58,8 @@ pub struct SplatReport {
     pub engine: String,
     /// Splats sent.
     pub splats: u64,
+    /// What became of them.
+    pub fates: Fates,
     /// Image size in pixels.
     pub width: u32,
     /// Image size in pixels.
@@ -76,15 +94,16 @@ pub struct SplatReport {
     pub buffer_write_bytes: u64,
     /// Fragments of the frame.
     pub fragments: u64,
-    /// Peak signal-to-noise ratio of the shaded picture against the f64 reference.
-    pub psnr_db: f64,
+    /// Peak signal-to-noise ratio of the shaded picture against the f64 reference; absent where neither shows a splat.
+    pub psnr_db: Option<f64>,
     /// Pixels that only one of frame and reference covers.
     pub coverage_differences: u64,
     /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
     pub material_differences: u64,
-    /// Pixels covered by both whose attributes differ by more than rounding of attributes explains ([`rounding_limit`]): a test
-    /// came out differently.
+    /// Pixels covered by both whose attributes differ by more than the rounding of one value explains ([`rounding_limit`]).
     pub outcome_differences: u64,
+    /// Of those, pixels where no test came near another outcome, and the rounding of their sums explains the difference ([`sum_limit`]).
+    pub sum_differences: u64,
     /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`] of another outcome.
     pub depth_test_differences: u64,
     /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`] of the edge of its splat.
@@ -99,23 +118,31 @@ struct Differences {
     coverage: u64,
     material: u64,
     outcome: u64,
+    sum: u64,
     depth_test: u64,
     edge: u64,
 }
 
 impl Differences {
-    fn of(frame: &Frame, reference: &Frame, limit: f64) -> Self {
+    fn of(frame: &Frame, reference: &Frame, config: &Config) -> Self {
+        let limit = rounding_limit(config);
         let mut found = Self::default();
-        for (pair, margins) in frame.pixels.iter().zip(&reference.pixels).zip(&reference.margins) {
+        let tests = reference.margins.iter().zip(&reference.decisions);
+        for (pair, (margins, decisions)) in frame.pixels.iter().zip(&reference.pixels).zip(tests) {
             match pair {
                 (Some(a), Some(b)) => {
                     found.material += u64::from(a.material != b.material);
-                    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > limit;
-                    if a.attributes.iter().zip(&b.attributes).any(apart) {
-                        let depth_test = margins.depth <= DEPTH_ROUNDING;
+                    let apart = a.attributes.iter().zip(&b.attributes).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    if apart > limit {
                         found.outcome += 1;
-                        found.depth_test += u64::from(depth_test);
-                        found.edge += u64::from(!depth_test && margins.edge <= EDGE_ROUNDING);
+                        let summed = sum_limit(config, decisions.pass + decisions.blend);
+                        if margins.depth <= DEPTH_ROUNDING {
+                            found.depth_test += 1;
+                        } else if margins.edge <= EDGE_ROUNDING {
+                            found.edge += 1;
+                        } else if apart <= summed {
+                            found.sum += 1;
+                        }
                     }
                 }
                 (None, None) => {}
@@ -134,8 +161,8 @@ pub struct SplatRun<'a> {
     pub engine: &'a str,
     /// The hardware's configuration.
     pub config: &'a Config,
-    /// Splats sent.
-    pub splats: usize,
+    /// What became of the splats sent.
+    pub fates: Fates,
     /// What the host counted.
     pub counters: &'a SplatCounters,
     /// The frame.
@@ -158,16 +185,18 @@ impl SplatReport {
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
         let share = |count: u64| count as f64 / cycles.max(1) as f64;
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
-        let differences = Differences::of(run.frame, run.reference, rounding_limit(run.config));
+        let differences = Differences::of(run.frame, run.reference, run.config);
+        let is_comparable = [run.frame, run.reference].iter().any(|frame| frame.pixels.iter().any(Option::is_some));
         Self {
             scene: run.scene.to_owned(),
             engine: run.engine.to_owned(),
-            splats: run.splats as u64,
+            splats: run.fates.total(),
+            fates: run.fates,
             width: run.frame.width as u32,
             height: run.frame.height as u32,
             mismatches: run.mismatches,
             cycles,
-            cycles_per_splat: cycles as f64 / run.splats.max(1) as f64,
+            cycles_per_splat: cycles as f64 / run.fates.total().max(1) as f64,
             samples,
             cycles_per_sample: cycles as f64 / samples.max(1) as f64,
             accumulated,
@@ -180,23 +209,28 @@ impl SplatReport {
             buffer_read_bytes: pixels_read * pixel_bytes,
             buffer_write_bytes: pixels_written * pixel_bytes,
             fragments: run.frame.pixels.iter().flatten().count() as u64,
-            psnr_db: run.psnr_db,
+            psnr_db: is_comparable.then_some(run.psnr_db),
             coverage_differences: differences.coverage,
             material_differences: differences.material,
             outcome_differences: differences.outcome,
+            sum_differences: differences.sum,
             depth_test_differences: differences.depth_test,
             edge_differences: differences.edge,
             simulated_cycles_per_second: run.simulated_cycles_per_second,
         }
     }
 
-    /// Why tests came out differently, in words.
+    /// Why pixels differ by more than one rounding, in words.
     fn explanation(&self) -> String {
-        let unexplained = self.outcome_differences - self.depth_test_differences - self.edge_differences;
+        let Self { outcome_differences, depth_test_differences, edge_differences, sum_differences, .. } = *self;
+        if outcome_differences == 0 {
+            return "0".to_owned();
+        }
+        let unexplained = outcome_differences - depth_test_differences - edge_differences - sum_differences;
         format!(
-            "{}: {} whose stored depth lies within rounding of an end of the ε-band, {} with a sample within rounding of its \
-             splat's edge, {unexplained} for other reasons",
-            self.outcome_differences, self.depth_test_differences, self.edge_differences
+            "{outcome_differences}: in {depth_test_differences} the stored depth lies within rounding of an end of the ε-band, in \
+             {edge_differences} a sample within rounding of its splat's edge, so that a test came out differently; in {sum_differences} \
+             the sums were rounded, no test; {unexplained} are unexplained"
         )
     }
 
@@ -208,14 +242,23 @@ impl SplatReport {
             Some(count) => format!("{count} mismatches, every output compared in every cycle"),
             None => "not compared".to_owned(),
         };
+        let psnr = match self.psnr_db {
+            Some(psnr_db) if psnr_db.is_finite() => format!("{psnr_db:.1} dB"),
+            Some(_) => "the pictures are equal".to_owned(),
+            None => "nothing to compare: both pictures are empty".to_owned(),
+        };
         let rows = [
             ("engine", self.engine.clone()),
             ("lockstep", compared),
             ("image", format!("{} × {} px, {} fragments", self.width, self.height, self.fragments)),
-            ("splats", self.splats.to_string()),
+            (
+                "splats",
+                format!("{}, {} of them drawn in {} tile copies", self.splats, self.fates.drawn, self.fates.copies),
+            ),
+            ("splats culled", self.fates.to_string()),
             ("cycles", self.cycles.to_string()),
             ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
-            ("samples", format!("{}, {} of them inside their splat", self.samples, self.accumulated)),
+            ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
             ("cycles per sample", format!("{:.3}", self.cycles_per_sample)),
             ("rasterizer busy", percent(self.rasterizer_utilisation)),
             ("rasterizer without work", percent(self.starved_fraction)),
@@ -225,10 +268,10 @@ impl SplatReport {
             ("accumulator waits for a tile", percent(self.slot_wait_fraction)),
             ("reconstruction buffer read", format!("{} bytes", self.buffer_read_bytes)),
             ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
-            ("PSNR against the f64 reference", format!("{:.1} dB", self.psnr_db)),
+            ("PSNR against the f64 reference", psnr),
             ("pixels covered differently", self.coverage_differences.to_string()),
             ("pixels with another material", self.material_differences.to_string()),
-            ("pixels where a test came out differently", self.explanation()),
+            ("pixels that differ by more than one rounding", self.explanation()),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
         ];
         let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);

@@ -6,6 +6,7 @@ use super::host::{SplatCounters, SplatHost};
 use super::mask::{end_records, outputs};
 use crate::generated::Progress;
 use crate::recording::Recording;
+use crate::waveform::Waveform;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
 use pointcore_contract::splat::units::top;
@@ -16,7 +17,6 @@ use pointcore_golden::splat::top::{In, Out};
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_tb::lockstep::{Flow, Lockstep, LockstepError, RESET_CYCLES, Stall, Stalls};
 use pointcore_tb::verilated::{Library, VerilatedError};
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -77,16 +77,24 @@ impl<'a> SplatRunner<'a> {
         })
     }
 
-    /// The hardware alone; with a path, a waveform of the whole run is written there.
+    /// The hardware alone, with a waveform if one is asked for.
     ///
     /// # Errors
     /// An assertion of the hardware fails, or the frame does not come to its end.
-    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<SplatOutcome, LockstepError> {
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Waveform>) -> Result<SplatOutcome, LockstepError> {
         let mut model = library.instantiate(self.seed);
-        if let Some(path) = waveform {
-            model.open_trace(path)?;
-        }
-        self.at_ports(library.reset_inputs(), |inputs, outputs| model.step(inputs, outputs))
+        let Some(waveform) = waveform else {
+            return self.at_ports(library.reset_inputs(), |inputs, outputs| model.step(inputs, outputs));
+        };
+        waveform.begin(&mut model)?;
+        let mut step = 0_u64;
+        self.at_ports(library.reset_inputs(), |inputs, outputs| {
+            if let Some(cycle) = step.checked_sub(RESET_CYCLES) {
+                waveform.before(cycle, &mut model)?;
+            }
+            step += 1;
+            model.step(inputs, outputs)
+        })
     }
 
     /// What the golden model's ports carry in every cycle, after it has idled for so many.

@@ -1,0 +1,111 @@
+//! What becomes of the splats of a frame, by the hardware's own arithmetic.
+
+use super::encode::EncodedFrame;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::records::{ImageRectangle, Splat, Uniforms};
+use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
+use pointcore_golden::splat::{Dropped, Setup, Transform};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::fmt;
+
+/// Splats by what became of them; of several reasons for which one is dropped the first counts, in the order in which the hardware has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Fates {
+    /// Splats that reach the rasterizer.
+    pub drawn: u64,
+    /// Copies of them, one a tile.
+    pub copies: u64,
+    /// Splats before the near plane, or behind the eye.
+    pub near: u64,
+    /// Splats behind the far plane.
+    pub far: u64,
+    /// Splats beside the image.
+    pub beside: u64,
+    /// Splats that face away.
+    pub facing: u64,
+}
+
+impl Fates {
+    /// Asks the models of transform and setup about each splat of a frame.
+    #[must_use]
+    pub fn of(config: &Config, frame: &EncodedFrame) -> Self {
+        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = frame.uniforms;
+        let transform_uniforms = TransformUniforms { model_view, near_plane };
+        let setup_uniforms = SetupUniforms { viewport, epsilon, filter_radius };
+        let (transform, setup) = (Transform::new(config, 1), Setup::new(config, 1));
+        let fate = |splat: &Splat| {
+            let Some(placed) = transform.transform(splat, &transform_uniforms) else {
+                return Self { near: 1, ..Self::default() };
+            };
+            match setup.outcome(&placed, &setup_uniforms) {
+                Ok(drawn) => Self { drawn: 1, copies: tiles(drawn.bounds), ..Self::default() },
+                Err(Dropped::Far) => Self { far: 1, ..Self::default() },
+                Err(Dropped::Beside) => Self { beside: 1, ..Self::default() },
+                Err(Dropped::Facing) => Self { facing: 1, ..Self::default() },
+            }
+        };
+        frame.records.par_iter().filter(|record| !record.end).map(fate).reduce(Self::default, Self::sum)
+    }
+
+    fn sum(self, other: Self) -> Self {
+        Self {
+            drawn: self.drawn + other.drawn,
+            copies: self.copies + other.copies,
+            near: self.near + other.near,
+            far: self.far + other.far,
+            beside: self.beside + other.beside,
+            facing: self.facing + other.facing,
+        }
+    }
+
+    /// All splats.
+    #[must_use]
+    pub const fn total(&self) -> u64 {
+        self.drawn + self.culled()
+    }
+
+    /// Splats that are not drawn.
+    #[must_use]
+    pub const fn culled(&self) -> u64 {
+        self.near + self.far + self.beside + self.facing
+    }
+
+    /// What would bring most of what is culled into the picture.
+    #[must_use]
+    pub fn remedy(&self) -> &'static str {
+        let Self { near, far, beside, facing, .. } = *self;
+        match [near, far, beside, facing].into_iter().max() {
+            Some(0) | None => {
+                "the splats that are drawn cover no pixel's sample: draw them larger, e.g. `object.0.radius_scale = 2`"
+            }
+            Some(most) if most == facing => {
+                "look from the other side, or have both sides drawn: `two_sided = true` in the file's object"
+            }
+            Some(most) if most == near => "step back, or move `camera.near` closer; `camera.fit = true` does both",
+            Some(most) if most == far => "move `camera.far` away; `camera.fit = true` does so",
+            Some(_) => "turn the camera to the scene; `camera.fit = true` does so",
+        }
+    }
+}
+
+/// Tiles in a rectangle of pixels.
+fn tiles(ImageRectangle { left, right, top, bottom }: ImageRectangle) -> u64 {
+    let along = |first: u16, last: u16| u64::from(u32::from(last) / TILE_SIZE - u32::from(first) / TILE_SIZE + 1);
+    along(left, right) * along(top, bottom)
+}
+
+impl fmt::Display for Fates {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let reasons = [
+            (self.facing, "away from the eye"),
+            (self.near, "before the near plane or behind the eye"),
+            (self.far, "behind the far plane"),
+            (self.beside, "beside the image"),
+        ];
+        let given = reasons.into_iter().filter(|(count, _)| *count > 0);
+        let given: Vec<_> = given.map(|(count, reason)| format!("{count} {reason}")).collect();
+        write!(f, "{}", if given.is_empty() { "none".to_owned() } else { given.join(", ") })
+    }
+}
