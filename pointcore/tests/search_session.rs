@@ -170,8 +170,8 @@ const RUNS: usize = 7;
 /// Queries spread around points, for 6 neighbors or within a radius, each asked again next in its run.
 fn coherent(points: &PointSet, radius: Option<f32>) -> Vec<Query> {
     let places = Order::Grid { columns: 8, rows: 8 }.places(points, Some(300), 1);
-    let query = |point| Query { point, k: 6, radius };
-    places.into_iter().flat_map(|point| [query(point); 2]).collect()
+    let query = |place| Query { point: points.rounded(place), k: 6, radius };
+    places.into_iter().flat_map(|place| [query(place); 2]).collect()
 }
 
 #[test]

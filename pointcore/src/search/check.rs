@@ -122,6 +122,7 @@ mod tests {
     use super::*;
     use crate::scene::model::tests::shared;
     use crate::search::{MemorySettings, Order, PointSource, SearchEngine, Session, Splitting, Tree, config_for};
+    use glam::DVec3;
 
     #[test]
     fn only_right_answers_pass() {
@@ -170,7 +171,7 @@ mod tests {
             let tree = Tree::build(&config, &points, splitting).expect("the points fit");
             let session = Session::open(config, tree, MemorySettings::default(), SearchEngine::Golden)
                 .expect("the core is valid");
-            let query = |point: &[f32; 3]| Query { point: *point, k: 10, radius: None };
+            let query = |place: &DVec3| Query { point: points.rounded(*place), k: 10, radius: None };
             let queries: Vec<_> = order.places(&points, Some(200), 1).iter().map(query).collect();
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
             let checked = super::check(&points, &queries, &outcome.neighbors, 0.0);

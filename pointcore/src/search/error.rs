@@ -1,5 +1,6 @@
 //! What can be wrong with points, trees and queries.
 
+use super::Rounding;
 use crate::generated::GenerateError;
 use crate::scene::SceneError;
 use pointcore_contract::Format;
@@ -26,6 +27,9 @@ pub enum SearchError {
         /// The core's format.
         format: Format,
     },
+    /// Points too near for the format.
+    #[error("too many neighbors would be wrong. Rounding: {0}: {remedy}", remedy = .0.remedy())]
+    Rounding(Rounding),
     /// A tree that is too small.
     #[error(
         "{points} points, but a tree of `tree_depth` = {depth} and `bucket` = {bucket} holds {capacity}: raise `tree_depth` to \
@@ -61,7 +65,7 @@ pub enum SearchError {
     #[error(transparent)]
     Config(#[from] ConfigError),
     /// A tree on a core for which it was not built.
-    #[error("the tree was built for other hardware: build it with the `Config` of the session")]
+    #[error("the tree was built for other hardware: build it with the configuration of the session")]
     OtherTree,
     /// Nothing has moved for too long.
     #[error("the core is stuck in cycle {cycle}, after {answered} of {queries} queries")]

@@ -108,10 +108,11 @@ impl<'a> SearchHost<'a> {
         self.work.queries.len()
     }
 
-    /// What the host counted, and the neighbors by query.
+    /// What the host counted, and the neighbors and the cycles by query.
     #[must_use]
-    pub fn into_results(self) -> (SearchCounters, Vec<Vec<Neighbor>>) {
-        (self.counters, self.answers.into_neighbors())
+    pub fn into_results(self) -> (SearchCounters, Vec<Vec<Neighbor>>, Vec<u32>) {
+        let (neighbors, cycles) = self.answers.into_results();
+        (self.counters, neighbors, cycles)
     }
 
     /// Sets the inputs of `cycle`, seeing the outputs of the cycle before.
@@ -177,7 +178,7 @@ impl<'a> SearchHost<'a> {
         let result = outputs.result.filter(|_| self.inputs.result_ready);
         if let Some(result) = result {
             self.counters.results += u64::from(result.result.found);
-            self.answers.collect(result);
+            self.answers.collect(result, cycle);
         }
         self.counters.count(self.work.config, outputs.events);
         if query_moved || beat_moved || record_moved || fetch.is_some() || lookup.is_some() || result.is_some() {
@@ -190,7 +191,7 @@ impl<'a> SearchHost<'a> {
         if self.inputs.query.is_none() || outputs.query_ready {
             self.inputs.query = self.answers.number(self.sent).filter(|_| !self.stalls.stalled());
             if let Some(query) = &self.inputs.query {
-                self.answers.offered(query, self.sent);
+                self.answers.offered(query, self.sent, cycle);
             }
         }
         self.memory.advance(cycle);

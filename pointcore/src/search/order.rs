@@ -1,6 +1,7 @@
 //! Which points are asked for, and in which order: coherence decides how well caches do.
 
 use super::PointSet;
+use super::points::bounds;
 use crate::scene::{neighbors, normals};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -66,10 +67,10 @@ impl fmt::Display for Order {
 }
 
 impl Order {
-    /// The first `limit` places asked for, or all of them; `seed` shuffles.
+    /// The first `limit` places asked for, or all of them, in the coordinates in which the points were given; `seed` shuffles.
     #[must_use]
-    pub fn places(self, points: &PointSet, limit: Option<usize>, seed: u64) -> Vec<[f32; 3]> {
-        let mut places = points.points().to_vec();
+    pub fn places(self, points: &PointSet, limit: Option<usize>, seed: u64) -> Vec<DVec3> {
+        let mut places = points.given().to_vec();
         match self {
             Self::Random => fastrand::Rng::with_seed(seed).shuffle(&mut places),
             Self::File => {}
@@ -91,17 +92,11 @@ pub(super) fn interleaved(count: usize, runs: usize) -> Vec<usize> {
     (0..length).flat_map(|place| (place..count).step_by(length)).collect()
 }
 
-fn bounds(points: &[[f32; 3]]) -> [DVec3; 2] {
-    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-    let vector = |point: &[f32; 3]| DVec3::from_array(point.map(f64::from));
-    points.iter().map(vector).fold(empty, |[low, high], point| [low.min(point), high.max(point)])
-}
-
 /// The number of a point's cell along the curve through all cells of the bounding cube.
-fn morton(point: [f32; 3], [low, high]: [DVec3; 2]) -> u64 {
+fn morton(point: DVec3, [low, high]: [DVec3; 2]) -> u64 {
     let cells = (1_u64 << MORTON_BITS) - 1;
     let side = (high - low).max_element().max(f64::MIN_POSITIVE);
-    let place = (DVec3::from_array(point.map(f64::from)) - low) / side * cells as f64;
+    let place = (point - low) / side * cells as f64;
     let spread = |cell: f64| (0..MORTON_BITS).fold(0, |code, bit| code | (cell as u64 >> bit & 1) << (3 * bit));
     spread(place.x) | spread(place.y) << 1 | spread(place.z) << 2
 }
@@ -115,20 +110,19 @@ fn cells(columns: u32, rows: u32) -> Vec<DVec2> {
     inside.map(|(column, row)| DVec2::new(column.into(), row.into())).collect()
 }
 
-fn grid(points: &[[f32; 3]], [columns, rows]: [u32; 2], limit: Option<usize>) -> Vec<[f32; 3]> {
+fn grid(positions: &[DVec3], [columns, rows]: [u32; 2], limit: Option<usize>) -> Vec<DVec3> {
     let (cells, sides) = (cells(columns, rows), DVec2::new(columns.into(), rows.into()));
     let cells = &cells;
-    let positions: Vec<DVec3> = points.iter().map(|point| DVec3::from_array(point.map(f64::from))).collect();
-    let neighbors = neighbors::nearest(&positions, normals::FITTED_NEIGHBORS);
-    let count = limit.map_or(points.len(), |limit| limit.div_ceil(cells.len()).min(points.len()));
+    let neighbors = neighbors::nearest(positions, normals::FITTED_NEIGHBORS);
+    let count = limit.map_or(positions.len(), |limit| limit.div_ceil(cells.len()).min(positions.len()));
     let around = |index: usize| {
-        let (first, second) = normals::fit(&positions, index, &neighbors[index]).any_orthonormal_pair();
+        let (first, second) = normals::fit(positions, index, &neighbors[index]).any_orthonormal_pair();
         let near = neighbors[index].iter().take(CELL_NEIGHBORS);
         let side = near.clone().map(|neighbor| neighbor.distance).sum::<f64>() / near.len().max(1) as f64;
         let position = positions[index];
         cells.iter().map(move |cell| {
             let offset = side * ((*cell + 0.5) / sides - 0.5);
-            (position + offset.x * first + offset.y * second).as_vec3().to_array()
+            position + offset.x * first + offset.y * second
         })
     };
     let mut places: Vec<_> = (0..count).into_par_iter().flat_map_iter(around).collect();
@@ -160,13 +154,13 @@ mod tests {
     #[test]
     fn every_point_is_asked_for_once() {
         let points = plane();
-        let sorted = |mut places: Vec<[f32; 3]>| {
+        let sorted = |mut places: Vec<DVec3>| {
             places.sort_by(|a, b| a[2].total_cmp(&b[2]).then(a[0].total_cmp(&b[0])));
             places
         };
         for order in [Order::Random, Order::File, Order::Morton] {
             let places = order.places(&points, None, 1);
-            assert_eq!(sorted(places.clone()), points.points(), "{order}");
+            assert_eq!(sorted(places.clone()), points.given(), "{order}");
             assert_eq!(order.places(&points, Some(7), 1), places[..7], "{order}");
         }
         assert_ne!(Order::Random.places(&points, None, 1), Order::Random.places(&points, None, 2));
@@ -187,12 +181,12 @@ mod tests {
         let points = PointSet::load(Format::F32, &PointSource::Surface(4000)).expect("the surface is finite");
         let length = |order: Order| {
             let places = order.places(&points, None, 1);
-            let step = |pair: &[[f32; 3]]| glam::Vec3::from(pair[0]).distance(pair[1].into());
-            places.windows(2).map(step).sum::<f32>()
+            let step = |pair: &[DVec3]| pair[0].distance(pair[1]);
+            places.windows(2).map(step).sum::<f64>()
         };
         assert!(length(Order::Morton) * 10.0 < length(Order::Random));
-        assert_eq!(morton([1.0; 3], [DVec3::ZERO, DVec3::ONE]), (1 << (3 * MORTON_BITS)) - 1);
-        assert_eq!(morton([1.0; 3], [DVec3::ONE, DVec3::ONE]), 0, "a single point has a cell");
+        assert_eq!(morton(DVec3::ONE, [DVec3::ZERO, DVec3::ONE]), (1 << (3 * MORTON_BITS)) - 1);
+        assert_eq!(morton(DVec3::ONE, [DVec3::ONE, DVec3::ONE]), 0, "a single point has a cell");
     }
 
     #[test]
@@ -202,7 +196,7 @@ mod tests {
         assert!(places.iter().all(|place| (place[1] - 2.0).abs() < 1e-5), "queries lie in the plane");
         // An inner point's four neighbors are 1 away: its cell has side 1.
         let around: Vec<_> = places[8 * 55..][..8].iter().map(|place| [place[0] - 5.0, place[2] - 5.0]).collect();
-        let widest = around.iter().flatten().fold(0.0_f32, |widest, offset| widest.max(offset.abs()));
+        let widest = around.iter().flatten().fold(0.0_f64, |widest, offset| widest.max(offset.abs()));
         assert!((widest - 0.375).abs() < 1e-5, "{around:?}");
         assert_eq!(Order::Grid { columns: 2, rows: 4 }.places(&plane(), Some(13), 1), places[..13]);
     }

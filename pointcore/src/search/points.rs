@@ -11,26 +11,44 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 /// Points whose coordinates are numbers of the core's format: what a search refers to, and what it is checked against.
+///
+/// They are relative to an origin, and remember where they were given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointSet {
     format: Format,
+    origin: DVec3,
     points: Vec<[f32; 3]>,
+    given: Vec<DVec3>,
 }
 
 impl PointSet {
-    /// Rounds points to the core's format.
+    /// Rounds points to the core's format where they are.
     ///
     /// # Errors
     /// There is no point, or one whose coordinates are not finite in that format.
     pub fn new(format: Format, points: &[[f32; 3]]) -> Result<Self, SearchError> {
-        if points.is_empty() {
+        let given = points.iter().map(|point| DVec3::from_array(point.map(f64::from))).collect();
+        Self::about(format, DVec3::ZERO, given)
+    }
+
+    /// Rounds points to the core's format, relative to an origin among them where they lie far from zero: what is near a point
+    /// with large coordinates is lost in their rounding.
+    ///
+    /// # Errors
+    /// There is no point, or one whose coordinates are not finite in that format.
+    pub fn recentered(format: Format, points: Vec<DVec3>) -> Result<Self, SearchError> {
+        Self::about(format, origin(format, &points), points)
+    }
+
+    pub(super) fn about(format: Format, origin: DVec3, given: Vec<DVec3>) -> Result<Self, SearchError> {
+        if given.is_empty() {
             return Err(SearchError::NoPoint);
         }
-        let round = |point: &[f32; 3]| point.map(|number| decode(format, encode(format, number)));
-        let rounded: Vec<[f32; 3]> = points.par_iter().map(round).collect();
-        match rounded.iter().position(|point| !point.iter().all(|number| number.is_finite())) {
-            Some(index) => Err(SearchError::Coordinate { index, point: points[index], format }),
-            None => Ok(Self { format, points: rounded }),
+        let mut set = Self { format, origin, points: Vec::new(), given };
+        set.points = set.given.par_iter().map(|point| set.rounded(*point)).collect();
+        match set.points.iter().position(|point| !point.iter().all(|number| number.is_finite())) {
+            Some(index) => Err(SearchError::Coordinate { index, point: set.given[index].as_vec3().to_array(), format }),
+            None => Ok(set),
         }
     }
 
@@ -39,12 +57,25 @@ impl PointSet {
     /// # Errors
     /// The file cannot be used.
     pub fn load(format: Format, source: &PointSource) -> Result<Self, SearchError> {
-        let points = match source {
-            PointSource::File(path) => Model::load(path)?.points,
-            PointSource::Surface(count) => trefoil(*count),
-        };
-        let single: Vec<[f32; 3]> = points.iter().map(|point: &DVec3| point.as_vec3().to_array()).collect();
-        Self::new(format, &single)
+        Self::recentered(format, source.points()?)
+    }
+
+    /// A place in the given coordinates as the core sees it: relative to the origin, rounded to the core's format.
+    #[must_use]
+    pub fn rounded(&self, place: DVec3) -> [f32; 3] {
+        (place - self.origin).as_vec3().to_array().map(|number| decode(self.format, encode(self.format, number)))
+    }
+
+    /// What the core's coordinates are relative to, in the given ones.
+    #[must_use]
+    pub const fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The points as they were given.
+    #[must_use]
+    pub fn given(&self) -> &[DVec3] {
+        &self.given
     }
 
     /// The core's format.
@@ -53,7 +84,7 @@ impl PointSet {
         self.format
     }
 
-    /// The points in the order in which they were given.
+    /// The points in the core's coordinates, in the order in which they were given.
     #[must_use]
     pub fn points(&self) -> &[[f32; 3]] {
         &self.points
@@ -69,7 +100,7 @@ impl PointSet {
 /// Where points come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PointSource {
-    /// A PLY or OBJ file.
+    /// A model file.
     File(PathBuf),
     /// So many points of a procedural surface, a trefoil knot.
     Surface(usize),
@@ -79,6 +110,42 @@ impl PointSource {
     /// The most points of a procedural surface.
     pub const SURFACE_LIMIT: usize = 4_000_000;
     const SURFACE: &str = "surface:";
+
+    /// The points, as they are in the file.
+    ///
+    /// # Errors
+    /// The file cannot be used.
+    pub fn points(&self) -> Result<Vec<DVec3>, SearchError> {
+        Ok(match self {
+            Self::File(path) => Model::load(path)?.points,
+            Self::Surface(count) => trefoil(*count),
+        })
+    }
+}
+
+/// An origin near the middle of points: zero where they lie around it, or lose nothing there. Its coordinates are round numbers,
+/// and those of the points relative to it are exact.
+fn origin(format: Format, points: &[DVec3]) -> DVec3 {
+    let exact = |number: f64| f64::from(decode(format, encode(format, number as f32))) == number;
+    let [low, high] = bounds(points);
+    let side = (high - low).max_element();
+    let is_far = low.abs().max(high.abs()).max_element() > side;
+    if !is_far || !side.is_finite() || points.par_iter().all(|point| point.to_array().into_iter().all(exact)) {
+        return DVec3::ZERO;
+    }
+    let middle = low.midpoint(high);
+    if side == 0.0 { middle } else { (middle / decade(side)).round() * decade(side) }
+}
+
+/// The greatest power of ten that a length reaches.
+fn decade(length: f64) -> f64 {
+    10_f64.powf(length.log10().floor())
+}
+
+/// Opposite corners of the points' box.
+pub(super) fn bounds(points: &[DVec3]) -> [DVec3; 2] {
+    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    points.iter().fold(empty, |[low, high], point| [low.min(*point), high.max(*point)])
 }
 
 impl FromStr for PointSource {
@@ -118,6 +185,31 @@ mod tests {
         assert!(tenth != -0.1 && (tenth + 0.1).abs() < 0.1 / f32::from(1_u16 << 15));
         let again = PointSet::new(Format::F24, &[in_format(Format::F24)]).expect("the points are finite");
         assert_eq!(again.points()[0], in_format(Format::F24));
+    }
+
+    #[test]
+    fn points_far_from_zero_are_seen_from_among_them() {
+        let map = DVec3::new(412_345.67, 5_654_321.09, 120.0);
+        let scan: Vec<_> = (0..50).map(|i| map + DVec3::new(0.31 * f64::from(i), 0.1, 0.02)).collect();
+        let set = PointSet::recentered(Format::F32, scan.clone()).expect("the points are finite");
+        assert_eq!(set.origin(), DVec3::new(412_350.0, 5_654_320.0, 120.0), "round numbers");
+        for (point, given) in set.points().iter().zip(&scan) {
+            let back = DVec3::from_array(point.map(f64::from)) + set.origin();
+            assert!(back.distance(*given) < 1e-6, "{back} {given}");
+        }
+        assert_eq!(set.rounded(scan[7]), set.points()[7]);
+        let alone = PointSet::recentered(Format::F32, vec![map; 3]).expect("the points are finite");
+        assert_eq!((alone.origin(), alone.points()[0]), (map, [0.0; 3]));
+    }
+
+    #[test]
+    fn points_that_lose_nothing_or_little_stay_where_they_are() {
+        let origin = |points: &[[f64; 3]]| {
+            let points = points.iter().map(|point| DVec3::from_array(*point)).collect();
+            PointSet::recentered(Format::F32, points).expect("the points are finite").origin()
+        };
+        assert_eq!(origin(&[[4e6, 0.0, 0.0], [4e6 + 1.0, 0.0, 0.0]]), DVec3::ZERO, "they are numbers of f32");
+        assert_eq!(origin(&[[0.1, 0.0, 0.0], [-0.3, 0.2, 0.9]]), DVec3::ZERO, "they lie around zero");
     }
 
     #[test]

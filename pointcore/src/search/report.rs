@@ -1,10 +1,13 @@
 //! What a search cost: figures with their definitions, as JSON and as a page to read.
 
 use super::check::Checked;
+use super::hardware::HardwareSize;
 use super::kdtree::TreeStatistics;
 use super::memory::MemorySettings;
 use super::reuse::Reuse;
+use super::rounding::{Rounding, TruthComparison};
 use super::run::SearchOutcome;
+use crate::area::recorded::Clock;
 use pointcore_contract::search::Config;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -59,10 +62,16 @@ pub struct SearchRun<'a> {
     pub mismatches: Option<u64>,
     /// What a comparison with a search through all points brought.
     pub checked: Option<Checked>,
+    /// What rounding did to the points, where it was measured.
+    pub rounding: Option<Rounding>,
+    /// What a comparison with the points as they were given brought.
+    pub truth: Option<TruthComparison>,
     /// What the neighbor cache may answer.
     pub reuse: Reuse,
+    /// The size of the core, where it was measured.
+    pub hardware: Option<HardwareSize>,
     /// The clock for which times are stated.
-    pub clock_mhz: f64,
+    pub clock: Clock,
 }
 
 /// The figures of a search.
@@ -92,14 +101,20 @@ pub struct SearchReport {
     pub mismatches: Option<u64>,
     /// What a comparison with a search through all points brought; absent where there was none.
     pub checked: Option<Checked>,
+    /// What rounding did to the points; absent where it was not measured.
+    pub rounding: Option<Rounding>,
+    /// What a comparison with the points as they were given brought; absent where there was none.
+    pub truth: Option<TruthComparison>,
     /// What the neighbor cache may answer; absent where there is none.
     pub reuse: Option<Reuse>,
     /// Cycles from the first query to the last result.
     pub cycles: u64,
     /// Cycles for each query.
     pub cycles_per_query: f64,
-    /// The clock for which queries per second are stated.
-    pub clock_mhz: f64,
+    /// The size of the core; absent where it was not measured.
+    pub hardware: Option<HardwareSize>,
+    /// The clock for which queries per second are stated, and where it comes from.
+    pub clock: Clock,
     /// Queries answered in a second at that clock.
     pub queries_per_second: f64,
     /// The memory's latency.
@@ -180,11 +195,14 @@ impl SearchReport {
             neighbors: run.outcome.neighbors.iter().map(|neighbors| neighbors.len() as u64).sum(),
             mismatches: run.mismatches,
             checked: run.checked,
+            rounding: run.rounding,
+            truth: run.truth,
             reuse: (run.config.neighbor_cache > 0).then_some(run.reuse),
             cycles,
             cycles_per_query: each(cycles as f64),
-            clock_mhz: run.clock_mhz,
-            queries_per_second: run.clock_mhz * 1e6 / each(cycles as f64).max(f64::MIN_POSITIVE),
+            hardware: run.hardware.clone(),
+            clock: run.clock.clone(),
+            queries_per_second: run.clock.mhz * 1e6 / each(cycles as f64).max(f64::MIN_POSITIVE),
             latency_cycles: run.memory.latency_cycles,
             bytes_per_cycle,
             requests_per_query: each(counters.requests as f64),
@@ -200,9 +218,9 @@ impl SearchReport {
         }
     }
 
-    /// The report as Markdown.
+    /// The figures in words, by name.
     #[must_use]
-    pub fn markdown(&self) -> String {
+    pub fn rows(&self) -> Vec<(&'static str, String)> {
         let percent = |share: f64| format!("{:.1} %", 100.0 * share);
         let compared = match self.mismatches {
             Some(count) => format!("{count} mismatches, every output compared in every cycle"),
@@ -218,13 +236,21 @@ impl SearchReport {
             ),
             None => "not compared (`--check` does)".to_owned(),
         };
+        let truth = match self.truth {
+            Some(TruthComparison { queries, neighbors, others }) => {
+                format!("{others} of the {neighbors} neighbors of {queries} queries are others than in f64")
+            }
+            None => "not compared (`--check` does)".to_owned(),
+        };
         let within = self.radius.map_or(String::new(), |radius| format!(" within {radius}"));
         let Config { threads, lanes, leaves_in_flight, bucket, geometry, .. } = &self.config;
         let rows = [
             ("engine", self.engine.clone()),
             ("lockstep", compared),
-            ("search through all points", checked),
+            ("search through all points, as rounded", checked),
+            ("points as they were given", truth),
             ("points", self.points.clone()),
+            ("rounding", self.rounding.map_or_else(|| "not measured".to_owned(), |rounding| rounding.to_string())),
             ("tree", format!("{}, {}", self.splitting, self.tree)),
             (
                 "core",
@@ -237,7 +263,7 @@ impl SearchReport {
             ("neighbors found", self.neighbors.to_string()),
             ("cycles", self.cycles.to_string()),
             ("cycles per query", format!("{:.2}", self.cycles_per_query)),
-            ("queries per second", format!("{:.0} at {} MHz", self.queries_per_second, self.clock_mhz)),
+            ("queries per second", format!("{:.0} at {}", self.queries_per_second, self.clock)),
             ("requests per query", format!("{:.2}", self.requests_per_query)),
             ("bytes per query", format!("{:.1}", self.bytes_per_query)),
             ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.share_of_bound))),
@@ -246,15 +272,23 @@ impl SearchReport {
             ("memory waits for the core", percent(self.beat_wait)),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
         ];
-        let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
-        for (name, value) in rows {
-            _ = writeln!(text, "| {name} | {value} |");
-        }
+        let mut rows = rows.to_vec();
+        rows.extend(self.hardware.iter().flat_map(HardwareSize::rows));
         if let Some(Reuse { epsilon, alpha }) = self.reuse {
-            _ = writeln!(text, "| reuse | ε = {epsilon}, α = {alpha} |");
+            rows.push(("reuse", format!("ε = {epsilon}, α = {alpha}")));
         }
         for HitRate { cache, hits, misses, rate } in &self.hit_rates {
-            _ = writeln!(text, "| {cache} | {} of {} requests |", percent(*rate), hits + misses);
+            rows.push((*cache, format!("{} of {} requests", percent(*rate), hits + misses)));
+        }
+        rows
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
+        for (name, value) in self.rows() {
+            _ = writeln!(text, "| {name} | {value} |");
         }
         text += "\nEvery resource takes one item a cycle; the one with the most items bounds the search.\n\n";
         text += "| resource | cycles per query |\n|---|---|\n";

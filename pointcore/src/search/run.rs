@@ -8,6 +8,7 @@ use super::query::Neighbor;
 use super::work::Work;
 use crate::generated::Progress;
 use crate::recording::Recording;
+use crate::waveform::Waveform;
 use pointcore_contract::count;
 use pointcore_contract::search::units;
 use pointcore_golden::search::Top;
@@ -15,7 +16,6 @@ use pointcore_golden::search::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_tb::lockstep::{Flow, Lockstep, RESET_CYCLES, Stall, Stalls, Stimulus};
 use pointcore_tb::verilated::Library;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -24,6 +24,8 @@ use std::time::{Duration, Instant};
 pub struct SearchOutcome {
     /// Neighbors by query, nearest first.
     pub neighbors: Vec<Vec<Neighbor>>,
+    /// Cycles of each query, from its offer to its last result: those in which others are under way, too.
+    pub query_cycles: Vec<u32>,
     /// What the host counted.
     pub counters: SearchCounters,
     /// Cycles simulated, those that load the tree among them.
@@ -91,15 +93,15 @@ impl<'a> SearchRunner<'a> {
         Ok(recording)
     }
 
-    /// The hardware alone; with a path, a waveform of the whole run is written there.
+    /// The hardware alone, with a waveform if one is asked for.
     ///
     /// # Errors
     /// An assertion of the hardware fails, or the core is stuck.
-    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<SearchOutcome, SearchError> {
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Waveform>) -> Result<SearchOutcome, SearchError> {
         let started = Instant::now();
         let mut model = library.instantiate(self.seed);
-        if let Some(path) = waveform {
-            model.open_trace(path)?;
+        if let Some(waveform) = waveform {
+            waveform.begin(&mut model)?;
         }
         let (mut inputs, mut outputs) = (library.reset_inputs(), vec![0; library.outputs().len()]);
         for _ in 0..RESET_CYCLES {
@@ -109,6 +111,9 @@ impl<'a> SearchRunner<'a> {
         let mut host = self.host();
         let mut cycle = 0;
         while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
+            if let Some(waveform) = waveform {
+                waveform.before(cycle, &mut model)?;
+            }
             model.step(&inputs, &mut outputs)?;
             cycle += 1;
         }
@@ -134,6 +139,6 @@ fn finish(host: SearchHost, cycle: u64, started: Instant) -> Result<SearchOutcom
     if host.end == Some(End::Stuck) {
         return Err(SearchError::Stuck { cycle, answered: host.answered(), queries: host.queries() });
     }
-    let (counters, neighbors) = host.into_results();
-    Ok(SearchOutcome { neighbors, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
+    let (counters, neighbors, query_cycles) = host.into_results();
+    Ok(SearchOutcome { neighbors, query_cycles, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
 }

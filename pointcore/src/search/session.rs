@@ -10,6 +10,7 @@ use super::work::Work;
 use super::{SearchError, Tree};
 use crate::generated::Progress;
 use crate::generated::verilate;
+use crate::waveform::Waveform;
 use pointcore_contract::search::Config;
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
@@ -60,6 +61,7 @@ pub struct Session {
     stall: Stall,
     seed: u64,
     reproduce: String,
+    waveform: Option<Waveform>,
 }
 
 impl Session {
@@ -75,7 +77,22 @@ impl Session {
         let core = SearchCore::generate(&config)?;
         let library = if engine == SearchEngine::Golden { None } else { Some(verilate(&core.design, Trace::Off)?) };
         let (reuse, runs, stall, seed, reproduce) = (Reuse::default(), 1, Stall::Never, 1, String::new());
-        Ok(Self { config, tree, memory, core, library, engine, reuse, runs, stall, seed, reproduce })
+        Ok(Self { config, tree, memory, core, library, engine, reuse, runs, stall, seed, reproduce, waveform: None })
+    }
+
+    /// As [`Session::open`] on the hardware, of which a waveform is written.
+    ///
+    /// # Errors
+    /// As [`Session::open`].
+    pub fn open_traced(
+        config: Config,
+        tree: Tree,
+        memory: MemorySettings,
+        waveform: Waveform,
+    ) -> Result<Self, SearchError> {
+        let golden = Self::open(config, tree, memory, SearchEngine::Golden)?;
+        let library = Some(verilate(&golden.core.design, Trace::On)?);
+        Ok(Self { library, engine: SearchEngine::Hardware, waveform: Some(waveform), ..golden })
     }
 
     /// Holds streams back at random, chooses among answers of the memory and the hardware's uninitialized values.
@@ -151,13 +168,16 @@ impl Session {
         };
         let runner = SearchRunner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
         let mut outcome = match (self.engine, &self.library) {
-            (SearchEngine::Hardware, Some(library)) => runner.hardware(library, None),
+            (SearchEngine::Hardware, Some(library)) => runner.hardware(library, self.waveform.as_ref()),
             (SearchEngine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
             _ => runner.golden(&self.core),
         }?;
         let mut neighbors = vec![Vec::new(); order.len()];
-        order.into_iter().zip(outcome.neighbors).for_each(|(query, found)| neighbors[query] = found);
-        outcome.neighbors = neighbors;
+        let mut cycles = vec![0; order.len()];
+        for ((query, found), taken) in order.into_iter().zip(outcome.neighbors).zip(outcome.query_cycles) {
+            (neighbors[query], cycles[query]) = (found, taken);
+        }
+        (outcome.neighbors, outcome.query_cycles) = (neighbors, cycles);
         Ok(outcome)
     }
 }
