@@ -4,6 +4,7 @@ mod layout;
 #[cfg(test)]
 mod reference;
 
+use crate::wording::plain;
 use layout::Kind;
 use pointcore_contract::{search, splat};
 use std::path::{Path, PathBuf};
@@ -41,7 +42,7 @@ pub fn read_text(path: &Path) -> Result<String, ConfigurationError> {
 /// The text is no such configuration, or one that the hardware cannot hold.
 pub fn parse(path: &Path, text: &str) -> Result<Configuration, ConfigurationError> {
     let kind = layout::check(text).map_err(|problem| wrong(path, problem))?;
-    let syntax = |error: toml::de::Error| wrong(path, error.to_string().trim_end());
+    let syntax = |error: toml::de::Error| wrong(path, plain(&error));
     match kind {
         Kind::Splat => {
             let config: splat::Config = toml::from_str(text).map_err(syntax)?;
@@ -180,7 +181,7 @@ mod tests {
             ("kind = \"search\"\nfrob = 64", ["line 2: `frob`", "[features], [implementation], [bus]"]),
             ("kind = \"search\"\n[implementation]\nlanes = 3", ["`lanes` = 3", "1, 2, 4 or 8"]),
             ("kind = \"search\"\n[implementation]\nthreads = 33", ["`threads` = 33", "1 to 32"]),
-            ("kind = \"search\"\n[implementation]\nthreads = -1", ["line 3", "u32"]),
+            ("kind = \"search\"\n[implementation]\nthreads = -1", ["line 3", "a whole number from 0 up"]),
             ("kind = \"search\"\n[features]\nneighbor_cache = 32\nindex_bits = 4", ["`index_bits` = 4", "5 to 32"]),
             ("kind = \"splat\"\n[features]\nculling = true", ["line 3", "culling = true"]),
             ("kind = \"splat\"\n[bus]\nmemory_bits = 48", ["`memory_bits` = 48", "64"]),

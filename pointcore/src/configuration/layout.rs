@@ -1,5 +1,6 @@
 //! Which core a configuration file is for, and whether each of its keys stands where it belongs.
 
+use crate::wording::plain;
 use pointcore_contract::configuration::{Derived, Key, Table};
 use pointcore_contract::{search, splat};
 use std::fmt::Display;
@@ -95,7 +96,7 @@ impl Kind {
 /// # Errors
 /// The text is no TOML, does not say for which core it is, or has keys where none of that name belong.
 pub(super) fn check(text: &str) -> Result<Kind, String> {
-    let file = DeTable::parse(text).map_err(|error| error.to_string().trim_end().to_owned())?;
+    let file = DeTable::parse(text).map_err(|error| plain(&error))?;
     let at = |span: Range<usize>, problem: &dyn Display| {
         format!("line {}: {problem}", text[..span.start].matches('\n').count() + 1)
     };

@@ -2,6 +2,9 @@
 
 use super::{File, GENERATOR, Package, Role};
 
+/// The filesets of the design where there is a file a module: with `--flag split` those, else the single file.
+const SPLIT: &str = r#""!split? (rtl)", "split? (modules)""#;
+
 /// What FuseSoC calls the core of a configuration: vendor, library, name, version.
 #[must_use]
 pub fn fusesoc_name(configuration: &str) -> String {
@@ -31,11 +34,16 @@ pub fn text(package: &Package) -> String {
     let Package { name, title, top, nextpnr, .. } = package;
     let core = top.trim_end_matches("_top");
     let tested = package.files_for(Role::Test).next().is_some();
+    let is_split = package.files_for(Role::Module).next().is_some();
     let parts = [("rtl", Role::Verilog), ("axi", Role::Bus), ("pins", Role::Pins)];
     let mut filesets: String = parts.into_iter().map(|(name, role)| fileset(name, package.files_for(role))).collect();
     if tested {
         filesets += &fileset("test", package.files_for(Role::Test));
     }
+    if is_split {
+        filesets += &fileset("modules", package.files_for(Role::Module));
+    }
+    let rtl = if is_split { SPLIT } else { "rtl" };
     // Quoted, since YAML would read some of them as numbers.
     let nextpnr: Vec<_> = nextpnr.iter().map(|argument| format!("\"{argument}\"")).collect();
     let nextpnr = nextpnr.join(", ");
@@ -43,7 +51,7 @@ pub fn text(package: &Package) -> String {
         r"
   sim:
     description: Replay what the bit-exact model did, comparing every output in every cycle
-    filesets: [rtl, test]
+    filesets: [{rtl}, test]
     flow: sim
     flow_options:
       tool: verilator
@@ -63,7 +71,7 @@ filesets:
 {filesets}
 targets:
   default: &default
-    filesets: [rtl]
+    filesets: [{rtl}]
     toplevel: {top}
 
   lint:
@@ -76,7 +84,7 @@ targets:
 
   axi: &axi
     description: The core on AXI
-    filesets: [rtl, axi]
+    filesets: [{rtl}, axi]
     toplevel: {core}_axi
 
   lint_axi:
@@ -98,7 +106,7 @@ targets:
 
   ecp5:
     description: Synthesize, place and route on an LFE5U-85F behind four pins, and pack the bitstream
-    filesets: [rtl, pins]
+    filesets: [{rtl}, pins]
     flow: trellis
     flow_options:
       nextpnr_options: [{nextpnr}, "--timing-allow-fail", "--report", "timing.json"]
@@ -112,6 +120,22 @@ targets:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::search::SearchCore;
+    use pointcore_contract::search::Config;
+
+    #[test]
+    fn a_core_lists_a_file_a_module_beside_the_single_file() {
+        let config = Config::default();
+        let core = SearchCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+        let mut package = Package::search("one", &core, &config).unwrap_or_else(|error| panic!("{error}"));
+        assert!(!text(&package).contains("modules"), "only where they are written");
+        package.add_modules(&core.design);
+        let core_file = text(&package);
+        for (module, _) in core.design.files() {
+            assert_eq!(core_file.matches(&format!("- modules/{module}.v: ")).count(), 1, "{module}");
+        }
+        assert!(core_file.contains(&format!("filesets: [{SPLIT}, axi]")), "{core_file}");
+    }
 
     #[test]
     fn names_have_only_what_fusesoc_allows() {

@@ -4,9 +4,11 @@ use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
 use crate::number::encode;
 use crate::search::{MemorySettings, Neighbor, Query, QueryKind, Reuse, SearchEngine, Session, Tree};
 use pointcore_contract::bus::config::TREE_WORD_BITS;
-use pointcore_contract::bus::{Layout, packets, registers};
+use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
+use pointcore_contract::bus::{Layout, packets};
+use pointcore_contract::fields;
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{Bucket, Lookup, Node, Points};
+use pointcore_contract::search::records::{Bucket, CachedQuery, CachedResult, Lookup, Node, Points};
 use std::collections::HashMap;
 
 /// A search, with points, and the tree unless the core holds it, in memory from `base` on.
@@ -48,7 +50,7 @@ pub fn search(
         values.push(("cache_far_scale", setup.far_scale));
         values.push(("cache_margin_scale", setup.margin_scale));
     }
-    let [query_fields, result_fields] = packets::query_and_result(config);
+    let (query_fields, result_fields) = (fields::<CachedQuery>(config), fields::<CachedResult>(config));
     let sent = asked.iter().enumerate().map(|(number, asked)| {
         let query = &asked.sent.query;
         let [x, y, z] = query.point.map(u64::from);
@@ -72,7 +74,7 @@ pub fn search(
         top: "search_axi",
         stream_bits: config.bus.stream_bits,
         memory_bits: config.bus.memory_bits,
-        registers: writes(&registers::search(config), values),
+        registers: writes(&SearchRegisters::registers(config), values),
         send: Packets::new("query", &query_fields, &config.bus, sent),
         receive: Packets::new("result", &result_fields, &config.bus, results),
         memory: vec![points, nodes],

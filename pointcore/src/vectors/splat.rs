@@ -2,7 +2,8 @@
 
 use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
 use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
-use pointcore_contract::bus::{Layout, registers};
+use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, Pixel, Splat, Uniforms};
@@ -30,7 +31,10 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
         top: "splat_axi",
         stream_bits: config.bus.stream_bits,
         memory_bits: config.bus.memory_bits,
-        registers: writes(&registers::splat(config), [("buffer_base", buffer_base)].into_iter().chain(uniforms)),
+        registers: writes(
+            &SplatRegisters::registers(config),
+            [("buffer_base", buffer_base)].into_iter().chain(uniforms),
+        ),
         send: Packets::new("splat", &fields::<Splat>(config), &config.bus, splats),
         receive: Packets::new("fragment", &fields::<Fragment>(config), &config.bus, fragments),
         memory: vec![Region {
