@@ -6,6 +6,8 @@ use pointcore::search::SearchError;
 use pointcore::vectors::VectorsError;
 use pointcore_lab::LabError;
 use pointcore_lab::synthesis::SynthesisError;
+use pointcore_tb::lockstep::LockstepError;
+use pointcore_tb::verilated::VerilatedError;
 use std::process::ExitCode;
 
 const DISAGREEMENT: u8 = 1;
@@ -15,32 +17,56 @@ const TOOL: u8 = 3;
 /// The code of a failure.
 pub fn code(failure: &Failure) -> ExitCode {
     ExitCode::from(match failure {
-        Failure::Mismatch(_) | Failure::Neighbors(_) | Failure::Stale { .. } => DISAGREEMENT,
-        Failure::Generate(_) | Failure::Package(_) | Failure::Verilated(_) => TOOL,
+        Failure::Neighbors(_) | Failure::Stale { .. } => DISAGREEMENT,
+        Failure::Mismatch(error) => lockstep(error),
+        Failure::Verilated(error) => verilated(error),
+        Failure::Generate(_) | Failure::Package(_) => TOOL,
         Failure::Scene(_)
         | Failure::Plan { .. }
         | Failure::Excluded { .. }
         | Failure::Configuration(_)
         | Failure::Usage(_)
         | Failure::Write { .. }
-        | Failure::Picture(_) => INPUT,
+        | Failure::Print(_)
+        | Failure::Picture(_)
+        | Failure::Blank { .. }
+        | Failure::Render(_) => INPUT,
         Failure::Search(error) => search(error),
         Failure::Vectors(error) => vectors(error),
         Failure::Lab(error) => lab(error),
     })
 }
 
+/// A folder that cannot be written is the user's to choose.
+const fn verilated(error: &VerilatedError) -> u8 {
+    match error {
+        VerilatedError::File(_) | VerilatedError::Waveform { .. } => INPUT,
+        VerilatedError::Stopped(_) => DISAGREEMENT,
+        _ => TOOL,
+    }
+}
+
+const fn lockstep(error: &LockstepError) -> u8 {
+    match error {
+        LockstepError::Verilated(error) => verilated(error),
+        LockstepError::Seed { .. } => INPUT,
+        _ => DISAGREEMENT,
+    }
+}
+
 const fn search(error: &SearchError) -> u8 {
     match error {
-        SearchError::Lockstep(_) | SearchError::Stuck { .. } => DISAGREEMENT,
-        SearchError::Generate(_) | SearchError::Verilated(_) => TOOL,
+        SearchError::Lockstep(error) => lockstep(error),
+        SearchError::Verilated(error) => verilated(error),
+        SearchError::Stuck { .. } => DISAGREEMENT,
+        SearchError::Generate(_) => TOOL,
         _ => INPUT,
     }
 }
 
 const fn vectors(error: &VectorsError) -> u8 {
     match error {
-        VectorsError::Frame(_) => DISAGREEMENT,
+        VectorsError::Frame(error) => lockstep(error),
         VectorsError::Generate(_) => TOOL,
         VectorsError::Search(error) => search(error),
         VectorsError::Base(_) | VectorsError::Space { .. } | VectorsError::Numbers { .. } => INPUT,
@@ -49,10 +75,12 @@ const fn vectors(error: &VectorsError) -> u8 {
 
 const fn lab(error: &LabError) -> u8 {
     match error {
-        LabError::Lockstep(_) | LabError::Neighbors(_) => DISAGREEMENT,
+        LabError::Neighbors(_) => DISAGREEMENT,
+        LabError::Lockstep(error) => lockstep(error),
+        LabError::Verilated(error) => verilated(error),
         LabError::Search(error) => search(error),
         LabError::Synthesis(SynthesisError::TooLarge { .. }) => INPUT,
-        LabError::Generate(_) | LabError::Verilated(_) | LabError::Synthesis(_) => TOOL,
+        LabError::Generate(_) | LabError::Synthesis(_) => TOOL,
         LabError::Scene(_)
         | LabError::Plan(_)
         | LabError::Configuration(_)

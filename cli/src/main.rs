@@ -4,16 +4,20 @@ mod commands;
 mod exit;
 
 use clap::{Parser, Subcommand};
-use commands::{accuracy, area, bench, diagram, generate, inspect, knn, plan, run, stability, vectors};
+use commands::{
+    Failure, accuracy, area, bench, diagram, generate, inspect, knn, plan, run, stability, translate, vectors,
+};
+use pointcore_lab::note;
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.
 ///
 /// Start with `pointcore run scenes/knot.toml`: it derives the hardware the scene calls for, writes its Verilog, runs it under
-/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/. `pointcore knn --points surface:100000` does the
+/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/. `pointcore run scan.ply` does so with a model of your own,
+/// without a scene: PLY, OBJ, glTF, PCD, LAS, LAZ, XYZ, CSV. `pointcore knn --points surface:100000` does the
 /// same for nearest neighbors.
 ///
-/// Exit codes: 0 success, 1 the hardware and its model, or the record of its figures, disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
+/// Exit codes: 0 success, 1 the hardware and its model, or the record of its figures, disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed, 130 interrupted.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -30,7 +34,9 @@ enum Command {
     Plan(plan::Arguments),
     /// Write Verilog, manifest and constraints for a scene or a configuration.
     Gen(generate::Arguments),
-    /// Render a scene on the generated hardware and report on it.
+    /// Render a scene, or a model alone, on the generated hardware and report on it.
+    ///
+    /// Exit code 2 where nothing is to be seen: the message counts why.
     Run(run::Arguments),
     /// Search the nearest neighbors of points on the generated hardware and report on it.
     ///
@@ -57,10 +63,20 @@ enum Command {
     Accuracy(Box<accuracy::Arguments>),
     /// Measure area and clock of units on FPGA tools.
     Area(area::Arguments),
+    /// Turn words of a number format into numbers, line by line, as waveform viewers ask for it.
+    Translate(translate::Arguments),
 }
+
+/// The exit code of a run that was interrupted.
+const INTERRUPTED: i32 = 130;
 
 fn main() -> ExitCode {
     let Arguments { json, command } = Arguments::parse();
+    // Without the handler an interruption leaves folders of unfinished work, which the next run removes.
+    _ = ctrlc::set_handler(|| {
+        pointcore_tb::scratch::remove_all();
+        std::process::exit(INTERRUPTED);
+    });
     let output = if json { commands::Output::Json } else { commands::Output::Text };
     let result = match command {
         Command::Plan(arguments) => plan::run(&arguments, output),
@@ -74,11 +90,14 @@ fn main() -> ExitCode {
         Command::Stability(arguments) => stability::run(&arguments, output),
         Command::Accuracy(arguments) => accuracy::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
+        Command::Translate(arguments) => translate::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
+        // Whoever read the result has had enough of it.
+        Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("pointcore: {failure}");
+            note!("pointcore: {failure}");
             exit::code(&failure)
         }
     }

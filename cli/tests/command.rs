@@ -57,6 +57,15 @@ impl Workplace {
         }
     }
 
+    /// Runs `pointcore`, which must refuse its input, in words that hold `parts` after what it has to say on the way.
+    pub fn fails_with_notes(&self, arguments: &[&str], parts: &[&str]) {
+        let output = self.pointcore(arguments);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(WRONG_INPUT), "pointcore {arguments:?}: {error}");
+        let last = error.lines().last().unwrap_or_default();
+        assert!(last.starts_with("pointcore: ") && parts.iter().all(|part| last.contains(part)), "{error}");
+    }
+
     /// Runs a tool in a folder, which must accept its input without a warning.
     pub fn accepts(&self, program: &str, arguments: &[&str], folder: &str) {
         let output = Command::new(program).args(arguments).current_dir(self.path().join(folder)).output();
@@ -130,7 +139,10 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["inspect", "empty.ply"], ["empty.ply", "not a PLY header"]),
         (&["inspect", "absurd.ply"], ["absurd.ply", "1000000000000000000"]),
         (&["inspect", "nan.obj"], ["nan.obj", "vertex 1"]),
-        (&["inspect", "scene.toml"], ["scene.toml", ".ply or .obj"]),
+        (&["inspect", "scene.toml"], ["scene.toml", ".ply, .obj"]),
+        (&["run", "gone.las"], ["gone.las", "cannot be read"]),
+        (&["run", "nan.obj", "--set", "object.0.drop_invalid=false"], ["nan.obj", "vertex 1"]),
+        (&["run", "scene.toml", "--model", "reference", "--depth"], ["--depth", "--model rtl"]),
     ] {
         workplace.fails(WRONG_INPUT, arguments, &parts);
     }
@@ -233,6 +245,43 @@ pub fn accepts_bus(workplace: &Workplace, core: &str, folder: &str) {
     workplace.accepts("g++", &["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-xc++", "registers.h"], folder);
     let registers = fs::read_to_string(workplace.path().join(folder).join("registers.md")).expect("gen writes it");
     assert!(registers.contains("| 0x004 | `control` | W |"), "{registers}");
+}
+
+#[test]
+fn a_model_alone_is_rendered_with_its_depths_and_normals_and_from_all_sides() {
+    let workplace = Workplace::new();
+    let points: String = (0..900).map(|i| format!("{} {} 100\n", 500_000 + i % 30, 5_000_000 + i / 30)).collect();
+    workplace.write("field.xyz", &points);
+    let small = ["--set", "image.width=64", "--set", "image.height=48", "--model", "golden"];
+    let run = |more: &[&'static str]| [&["run", "field.xyz", "--json"], &small[..], more].concat();
+    let report = json(&workplace.succeeds(&run(&["--depth", "--normals"])));
+    assert_eq!((&report["splats"], &report["fates"]["drawn"]), (&Value::from(900), &Value::from(900)));
+    assert!(report["fragments"].as_u64().is_some_and(|fragments| fragments > 400), "{report}");
+    for (file, bytes) in [("depth.pfm", 64 * 48 * 4), ("normals.pfm", 64 * 48 * 12)] {
+        let size = fs::metadata(workplace.path().join("out/field").join(file)).expect("it was asked for").len();
+        assert_eq!(size, bytes + "PF\n64 48\n-1.0\n".len() as u64, "{file}");
+    }
+    let turn = json(&workplace.succeeds(&run(&["--turntable", "3", "-o", "turn"])));
+    assert_eq!(turn["sequence"].as_array().map(Vec::len), Some(3));
+    for file in ["frames/0000.png", "frames/0002.png", "animation.png", "frame.png", "report.md"] {
+        assert!(workplace.path().join("turn").join(file).is_file(), "{file} is missing");
+    }
+}
+
+#[test]
+fn a_blank_picture_is_no_success() {
+    let workplace = Workplace::new();
+    workplace.write("scene.toml", &SCENE.replace("target = [0, 0, 0]", "target = [0, 0, 9]"));
+    let output = workplace.pointcore(&["run", "scene.toml", "--model", "golden", "--json"]);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(WRONG_INPUT), "{error}");
+    for part in ["nothing is drawn of its 500 splats", "500 before the near plane or behind the eye", "camera.fit"] {
+        assert!(error.contains(part), "`{part}` is missing in: {error}");
+    }
+    let report = json(&String::from_utf8_lossy(&output.stdout));
+    assert_eq!((&report["psnr_db"], &report["fates"]["near"]), (&Value::Null, &Value::from(500)));
+    let report = fs::read_to_string(workplace.path().join("out/scene/report.md")).expect("it was written");
+    assert!(report.contains("nothing to compare"), "{report}");
 }
 
 #[test]

@@ -99,11 +99,10 @@ fn mistakes_are_explained() {
     fails(&["--vary", "speed=1"], "--vary `speed=1`: expected KNOB=VALUE");
     fails(&["--shard", "3/2"], "expected I/N with I from 1 to N");
     fails(&["--at-least", "much"], "expected a number of decibels");
-    let output =
-        workplace.pointcore(&["accuracy", "scene.toml", "--points", "points", "--vary", "samples=1,99", "-o", "out"]);
-    let error = text(&output.stderr);
-    assert!(error.contains("left out: samples 99") && error.contains("expected 1 to 8"), "{error}");
-    assert!(output.status.success(), "what can be measured is: {error}");
+    fails(&["--vary", "samples=1,99"], "--vary samples=1,99: `99` is no value here");
+    fails(&["--vary", "samples=1,99"], "expected 1 to 8");
+    fails(&["--vary", "geometry=f31"], "`f31` is no value here");
+    fails(&["--tries", "3"], "--at-least");
 }
 
 /// In a real browser, where there is one.

@@ -91,6 +91,32 @@ fn the_model_finds_neighbors_and_leaves_them_with_a_report() {
     }
 }
 
+/// Points some centimetres apart in a corner of a map, in two strips so far from each other.
+fn strips(apart: f64) -> String {
+    let strip = |index: i32| {
+        let (side, place) = (f64::from(index % 2), f64::from(index / 2));
+        [412_345.67 + side * apart + 0.031 * place, 5_654_321.09 + 0.017 * (place * 1.7).sin(), 120.0]
+    };
+    (0..400).map(strip).map(|[x, y, z]| format!("v {x:.4} {y:.4} {z:.4}\n")).collect()
+}
+
+#[test]
+fn maps_are_searched_right_or_not_at_all() {
+    let workplace = Workplace::new();
+    workplace.write("near.obj", &strips(20.0));
+    workplace.write("far.obj", &strips(3e6));
+    workplace.write("coarse.toml", &CONFIG.replace("[features]", "[features]\ngeometry = \"f24-ftz\""));
+    let search = |points| ["knn", "--points", points, "--model", "golden", "--k", "6", "--check", "--json"];
+    let report = json(&workplace.succeeds(&search("near.obj")));
+    assert_eq!((&report["truth"]["others"], &report["truth"]["neighbors"]), (&Value::from(0), &Value::from(2400)));
+    assert_ne!(report["rounding"]["origin"][0], Value::from(0.0));
+    let queries = fs::read_to_string(workplace.path().join("out/knn/queries.csv")).expect("queries are written");
+    assert!(queries.contains(",4.123"), "queries stand in the file's coordinates: {queries}");
+    let coarse = [&search("far.obj")[..], &["--config", "coarse.toml"]].concat();
+    workplace.fails(WRONG_INPUT, &coarse, &["too many neighbors would be wrong", "`geometry` = \"f32-ftz\""]);
+    workplace.fails(WRONG_INPUT, &search("far.obj"), &["too many neighbors would be wrong", "tiles"]);
+}
+
 #[test]
 fn hardware_and_model_search_in_lockstep() {
     let workplace = Workplace::new();

@@ -2,6 +2,7 @@
 mod command;
 mod command_accuracy;
 mod command_area;
+mod command_honest;
 mod command_knn;
 mod command_vectors;
 mod package;

@@ -2,8 +2,8 @@
 
 use super::{Failure, Output, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{effects, knn, operators, splat};
-use std::path::PathBuf;
+use pointcore_lab::bench::{configurations, effects, knn, operators, splat};
+use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
 #[derive(clap::Args)]
@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators", "configurations"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -34,6 +34,8 @@ enum Part {
     Knn,
     /// Floating-point operators.
     Operators,
+    /// Cycles of the named configurations.
+    Configurations,
 }
 
 /// Measures everything.
@@ -54,9 +56,11 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if measures(Part::Operators) {
         operators::figures(&mut figures)?;
     }
+    if measures(Part::Configurations) {
+        configurations::figures(Path::new("."), &mut figures)?;
+    }
 
     let merged = merge(&arguments.output, figures)?;
     let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
-    output.print(&merged, &text);
-    Ok(())
+    output.print(&merged, &text)
 }

@@ -28,6 +28,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     };
     write(&arguments.output, &svg)?;
     let file = arguments.output.display().to_string();
-    output.print(&json!({ "file": file }), &file);
-    Ok(())
+    output.print(&json!({ "file": file }), &file)
 }

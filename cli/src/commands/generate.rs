@@ -3,6 +3,7 @@
 use super::{Failure, Output, load, scene_name, write};
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
+use pointcore::wording::plain;
 use pointcore::{search, splat};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -33,8 +34,7 @@ const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
     let path = &arguments.source;
     let text = configuration::read_text(path)?;
-    let table: toml::Table =
-        toml::from_str(&text).map_err(|error| configuration::wrong(path, error.to_string().trim_end()))?;
+    let table: toml::Table = toml::from_str(&text).map_err(|error| configuration::wrong(path, plain(&error)))?;
     if SCENE_TABLES.iter().any(|key| table.contains_key(*key)) {
         return Ok(Configuration::Splat(load(path, &arguments.settings)?.1.config));
     }
@@ -74,6 +74,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
     let files = write_package(&package, &arguments.output)?;
     let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
-    output.print(&json!({ "top": package.top, "files": names }), &names.join("\n"));
-    Ok(())
+    output.print(&json!({ "top": package.top, "files": names }), &names.join("\n"))
 }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Arguments of `inspect`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A PLY (ASCII or binary) or OBJ file.
+    /// A file of points: PLY, OBJ, glTF, PCD, LAS, LAZ, XYZ or CSV.
     model: PathBuf,
 }
 
@@ -25,6 +25,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         "normals": inspection.normals.to_string(),
         "spacing": { "least": least, "mean": mean, "greatest": greatest },
     });
-    output.print(&document, &inspection.to_string());
-    Ok(())
+    output.print(&document, &inspection.to_string())
 }

@@ -8,47 +8,39 @@ pub mod diagram;
 pub mod generate;
 pub mod inspect;
 pub mod knn;
+pub mod output;
 pub mod plan;
 pub mod progress;
+pub mod results;
 pub mod run;
 pub mod search;
 pub mod stability;
+pub mod translate;
 pub mod vectors;
+pub mod waveform;
 
+pub use output::Output;
+
+use pointcore::area::estimate::Estimator;
 use pointcore::configuration::{self, Configuration, ConfigurationError};
 use pointcore::cost::CostError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
-use pointcore::plan::{Plan, PlanError};
+use pointcore::plan::{DepthLoss, Plan, PlanError};
 use pointcore::scene::{Scene, SceneError};
 use pointcore::search::{SearchError, WrongAnswer};
+use pointcore::splat::{Fates, RenderError};
 use pointcore::vectors::VectorsError;
 use pointcore_lab::synthesis::SynthesisError;
-use pointcore_lab::{Figures, LabError};
+use pointcore_lab::{Figures, LabError, note};
+use pointcore_tb::cache::Cache;
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// How results are printed.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Output {
-    /// For people.
-    Text,
-    /// For machines.
-    Json,
-}
-
-impl Output {
-    /// Prints a result: `value` as JSON, or `text`.
-    pub fn print(self, value: &impl Serialize, text: &str) {
-        match self {
-            Self::Json => println!("{}", serde_json::to_string_pretty(value).expect("results have string keys")),
-            Self::Text => println!("{}", text.trim_end()),
-        }
-    }
-}
+/// Where the record of areas lies in the project; elsewhere the one counts that was there when this command was built.
+const RECORD: &str = "docs/area.json";
 
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
@@ -120,9 +112,34 @@ pub enum Failure {
         /// Why.
         source: std::io::Error,
     },
+    /// What cannot be printed.
+    #[error("standard output cannot be written: {0}")]
+    Print(std::io::Error),
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// A scene of which nothing is to be seen.
+    #[error("{}: nothing is drawn of its {} splats ({fates}): {}", path.display(), fates.total(), fates.remedy())]
+    Blank {
+        /// The scene file.
+        path: PathBuf,
+        /// What became of the splats.
+        fates: Fates,
+    },
+    /// A frame beyond a sequence.
+    #[error(transparent)]
+    Render(RenderError),
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Generate(error) => error.into(),
+            RenderError::Verilated(error) => error.into(),
+            RenderError::Lockstep(error) => error.into(),
+            other => Self::Render(other),
+        }
+    }
 }
 
 impl From<SynthesisError> for Failure {
@@ -137,10 +154,17 @@ impl From<CostError> for Failure {
     }
 }
 
+/// Estimates areas by the project's record.
+pub fn estimator() -> Result<Estimator, Failure> {
+    let cache = Cache::new(Cache::default_folder("accuracy"));
+    Ok(pointcore_lab::accuracy::estimator(Path::new(RECORD), &cache)?)
+}
+
 /// Loads a scene and derives its hardware.
 pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
     let scene = Scene::load(path, settings)?;
     let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?;
+    warn(path, &scene, &plan);
     Ok((scene, plan))
 }
 
@@ -156,10 +180,22 @@ pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Resul
         .into());
     };
     let scene = Scene::load(path, settings)?;
+    if !scene.overrides.is_empty() {
+        let keys: Vec<_> = scene.overrides.keys().map(|key| format!("overrides.{key}")).collect();
+        note!("ignored, for --config {} says the hardware: {}", config_path.display(), keys.join(", "));
+    }
     let excluded =
         |source| Failure::Excluded { path: path.to_owned(), config: config_path.to_owned(), source: Box::new(source) };
     let plan = Plan::on(&scene, &config).map_err(excluded)?;
+    warn(path, &scene, &plan);
     Ok((scene, plan))
+}
+
+/// Says what will not look right.
+fn warn(path: &Path, scene: &Scene, plan: &Plan) {
+    if let Some(loss) = DepthLoss::of(scene, plan) {
+        note!("{}: {loss}", path.display());
+    }
 }
 
 /// Writes a text file, making its folder.

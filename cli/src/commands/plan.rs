@@ -5,9 +5,10 @@ use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
 use pointcore::cost::{Costs, Cycles, HardwareFigures, TABLE_HEAD, table_row};
 use pointcore::plan::Plan;
-use pointcore::scene::Scene;
+use pointcore::scene::{Scene, SceneError};
 use pointcore::splat::SplatCore;
 use pointcore_lab::accuracy::estimator;
+use pointcore_lab::note;
 use pointcore_tb::cache::Cache;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -87,8 +88,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     };
     let (scene, plan) = load(path, &arguments.settings)?;
     let (text, document) = explain(arguments, path, &scene, &plan)?;
-    output.print(&document, &text);
-    Ok(())
+    output.print(&document, &text)
 }
 
 fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Result<(String, Value), Failure> {
@@ -134,11 +134,27 @@ fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Re
     Ok((text, document))
 }
 
+/// Whether a scene is right but for a model that is not there.
+fn lacks_model(failure: &Failure) -> bool {
+    matches!(failure, Failure::Scene(SceneError::Value { key, .. }) if key.starts_with("object.") && key.ends_with(".path"))
+}
+
 fn table(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let estimator = arguments.estimator()?;
     let (mut text, mut documents) = (TABLE_HEAD.to_owned(), Vec::new());
+    let mut left_out = None;
     for path in &arguments.scenes {
-        let (scene, plan) = load(path, &arguments.settings)?;
+        let (scene, plan) = match load(path, &arguments.settings) {
+            Ok(loaded) => loaded,
+            // Models need not be there: the shipped scenes name some that are not part of the project.
+            Err(error) if lacks_model(&error) => {
+                note!("{} is left out: {error}", path.display());
+                documents.push(json!({ "scene": path, "left_out": error.to_string() }));
+                left_out = Some(error);
+                continue;
+            }
+            Err(error) => return Err(error),
+        };
         let costs = Costs::whole(&scene, &plan, Cycles::Measured, Some(&estimator))?;
         let name = scene_name(path);
         _ = write!(text, "\n{}", table_row(&name, &plan, &costs));
@@ -146,6 +162,8 @@ fn table(arguments: &Arguments, output: Output) -> Result<(), Failure> {
             json!({ "scene": path, "config": plan.config, "planned": costs.planned, "everything": costs.everything }),
         );
     }
-    output.print(&documents, &text);
-    Ok(())
+    match left_out {
+        Some(error) if text == TABLE_HEAD => Err(error),
+        _ => output.print(&documents, &text),
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::choices;
+use glam::DVec3;
 use pointcore::configuration;
 use pointcore::search::{Order, PointSet, PointSource, Query, Reuse, SearchError, Splitting, config_for};
 use pointcore_contract::search::Config;
@@ -27,6 +28,16 @@ impl std::str::FromStr for Limit {
     }
 }
 
+/// What is asked.
+pub struct Questions {
+    /// As the hardware takes it.
+    pub queries: Vec<Query>,
+    /// Where, in the coordinates of the points' file.
+    pub places: Vec<DVec3>,
+    /// Where they come from, in words.
+    pub source: String,
+}
+
 /// A search but for its points.
 #[derive(clap::Args)]
 pub struct SearchArguments {
@@ -36,7 +47,7 @@ pub struct SearchArguments {
     /// Only neighbors nearer than this count.
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub radius: Option<f32>,
-    /// Query points, the vertices of a PLY or OBJ file in their order.
+    /// Query points, the vertices of a model file in their order.
     #[arg(long, value_name = "FILE", conflicts_with = "order")]
     queries: Option<PathBuf>,
     /// Ask for the points themselves: `random`, `file` or `morton` order, or `grid:BxB` queries around each.
@@ -123,22 +134,19 @@ impl SearchArguments {
         Ok((config, points))
     }
 
-    /// Queries that the hardware can answer, and where they come from.
-    pub fn queries(&self, config: &Config, points: &PointSet) -> Result<(Vec<Query>, String), Failure> {
+    /// Queries that the hardware can answer.
+    pub fn questions(&self, config: &Config, points: &PointSet) -> Result<Questions, Failure> {
         let Limit(limit) = self.limit;
         let (mut places, source) = match &self.queries {
-            Some(path) => {
-                let vertices = PointSet::load(points.format(), &PointSource::File(path.clone()))?;
-                (vertices.points().to_vec(), path.display().to_string())
-            }
+            Some(path) => (PointSource::File(path.clone()).points()?, path.display().to_string()),
             None => (self.order.places(points, limit, self.seed), format!("{} order", self.order)),
         };
         places.truncate(limit.unwrap_or(usize::MAX));
-        let query = |point: &[f32; 3]| Query { point: *point, k: self.k, radius: self.radius };
+        let query = |place: &DVec3| Query { point: points.rounded(*place), k: self.k, radius: self.radius };
         let queries: Vec<Query> = places.iter().map(query).collect();
         queries.iter().enumerate().try_for_each(|(index, query)| query.check(config, index))?;
         let limited = limit.filter(|limit| *limit == queries.len());
         let limited = limited.map_or(String::new(), |limit| format!(" (--limit {limit})"));
-        Ok((queries, source + &limited))
+        Ok(Questions { queries, places, source: source + &limited })
     }
 }

@@ -60,6 +60,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     )?;
     let text = write_page(&arguments.output, &all, &figures)?;
     merge(&arguments.merge, figures.clone())?;
-    output.print(&figures, &format!("{text}\nWritten to {}.", arguments.output.display()));
-    Ok(())
+    output.print(&figures, &format!("{text}\nWritten to {}.", arguments.output.display()))
 }

@@ -3,7 +3,7 @@
 use super::search::SearchArguments;
 use super::{Failure, Output, load, write_bytes};
 use pointcore::configuration::Configuration;
-use pointcore::search::{PointSource, Tree};
+use pointcore::search::{PointSource, Rounding, Tree};
 use pointcore::splat::EncodedFrame;
 use pointcore::vectors::{self, Vectors};
 use serde_json::{Value, json};
@@ -27,7 +27,7 @@ pub struct Arguments {
     /// Replaces a value of the scene file, e.g. `--set overrides.stream_bits=32`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "points")]
     settings: Vec<String>,
-    /// Points to search in, a PLY or OBJ file or `surface:COUNT`: vectors for the search core.
+    /// Points to search in, a model file or `surface:COUNT`: vectors for the search core.
     #[arg(long, value_name = "FILE|surface:COUNT")]
     points: Option<PointSource>,
     #[command(flatten)]
@@ -41,13 +41,14 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    fn frame(&self, scene: &Path) -> Result<(Vectors, String), Failure> {
+    fn frame(&self, scene: &Path) -> Result<(Vectors, Value, String), Failure> {
         let (scene, plan) = load(scene, &self.settings)?;
         let vectors = vectors::frame(&plan.config, &EncodedFrame::new(&scene, &plan), self.base)?;
-        Ok((vectors, Configuration::Splat(plan.config).text()))
+        let document = json!(vectors);
+        Ok((vectors, document, Configuration::Splat(plan.config).text()))
     }
 
-    fn neighbors(&self, source: &PointSource) -> Result<(Vectors, String), Failure> {
+    fn neighbors(&self, source: &PointSource) -> Result<(Vectors, Value, String), Failure> {
         let search = &self.search;
         search.check()?;
         let reuse = search.reuse();
@@ -57,21 +58,23 @@ impl Arguments {
             return Err(Failure::Usage(message.to_owned()));
         }
         let (config, points) = search.hardware(source)?;
-        let (queries, _) = search.queries(&config, &points)?;
+        let questions = search.questions(&config, &points)?;
+        let rounding = Rounding::of(&points, search.k).check()?;
         let tree = Tree::build(&config, &points, search.tree)?;
-        let vectors = vectors::search(&config, tree, &queries, reuse, self.base)?;
-        Ok((vectors, Configuration::Search(config).text()))
+        let vectors = vectors::search(&config, tree, &questions.queries, reuse, self.base)?;
+        let mut document = json!(vectors);
+        document["origin"] = json!(rounding.origin);
+        Ok((vectors, document, Configuration::Search(config).text()))
     }
 }
 
 /// Writes the vectors of a frame or a search.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    let (vectors, config) = match (&arguments.scene, &arguments.points) {
+    let (vectors, mut document, config) = match (&arguments.scene, &arguments.points) {
         (Some(scene), _) => arguments.frame(scene),
         (None, Some(points)) => arguments.neighbors(points),
         (None, None) => Err(Failure::Usage("expected a scene or --points".to_owned())),
     }?;
-    let mut document = json!(vectors);
     document["generator"] = Value::from(concat!("pointcore ", env!("CARGO_PKG_VERSION")));
     let text = serde_json::to_string_pretty(&document).expect("vectors have string keys");
     let files = [("vectors.json", (text + "\n").into_bytes()), ("config.toml", config.into_bytes())];
@@ -82,6 +85,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         write_bytes(&path, contents)?;
         names.push(path.display().to_string());
     }
-    output.print(&json!({ "top": vectors.top, "files": names }), &names.join("\n"));
-    Ok(())
+    output.print(&json!({ "top": vectors.top, "files": names }), &names.join("\n"))
 }

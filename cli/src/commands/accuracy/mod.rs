@@ -3,14 +3,17 @@
 mod neighbors;
 
 use super::{Failure, Output, choices, merge, scene_name, write};
+use pointcore::area::estimate::Estimator;
 use pointcore::search::PointSource;
 use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
 use pointcore_lab::accuracy::estimator;
 use pointcore_lab::accuracy::figures::PointEngine;
 use pointcore_lab::accuracy::page::SweepPage;
-use pointcore_lab::accuracy::point::{Knob, UnknownKnob, points};
+use pointcore_lab::accuracy::point::{Knob, SweepPoint, UnknownKnob, points};
+use pointcore_lab::accuracy::product::{Goal, PRODUCT_LIMIT, Searched, combinations, search};
 use pointcore_lab::accuracy::sweep::{MeasuredPoint, Planned, Sweep};
 use pointcore_lab::accuracy::table::{cells, document, legend, markdown};
+use pointcore_lab::note;
 use pointcore_lab::{Figures, LabError};
 use pointcore_tb::cache::Cache;
 use serde_json::json;
@@ -36,9 +39,13 @@ pub struct Arguments {
     /// Queries, eight by eight around a point; with --neighbors.
     #[arg(long, value_name = "COUNT", default_value_t = 32_768, value_parser = clap::value_parser!(u32).range(1..), requires = "neighbors")]
     queries: u32,
-    /// Print the cheapest configuration with at least so many decibels, as a scene file that `pointcore run` takes.
+    /// Print the cheapest configuration with at least so many decibels, as a scene file that `pointcore run` takes; besides the sweep, looks
+    /// through all combinations of the knobs' values for a cheaper one.
     #[arg(long, value_name = "DECIBELS")]
     at_least: Option<Decibels>,
+    /// Combinations that --at-least renders at most while it looks for a cheaper one; 0 for the sweep alone.
+    #[arg(long, value_name = "COUNT", default_value_t = 32, requires = "at_least")]
+    tries: u16,
     /// Which error --at-least is about.
     #[arg(long, value_parser = choices::errors(), default_value = "truth")]
     against: Against,
@@ -81,6 +88,10 @@ impl Arguments {
         self.points.clone().unwrap_or_else(|| Cache::default_folder("accuracy"))
     }
 
+    fn goal(&self, at_least: Decibels) -> Goal {
+        Goal { at_least, against: self.against, prefer: self.prefer, tries: self.tries.into() }
+    }
+
     /// What hardware is rendered on.
     const fn engine(&self) -> PointEngine {
         if self.lockstep { PointEngine::Lockstep } else { PointEngine::Golden }
@@ -113,9 +124,9 @@ impl Shard {
 }
 
 /// Says where the points of a shard are.
-fn report(count: usize, folder: &Path, output: Output) {
+fn report(count: usize, folder: &Path, output: Output) -> Result<(), Failure> {
     let text = format!("{count} points are in {}.", folder.display());
-    output.print(&json!({ "points": count, "folder": folder }), &text);
+    output.print(&json!({ "points": count, "folder": folder }), &text)
 }
 
 /// Does `work` on every item, several at a time; results are in the items' order.
@@ -151,7 +162,7 @@ fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured
         }
         let measured = sweep.measure(point)?;
         let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
-        eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
+        note!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
         Ok::<_, LabError>(measured)
     });
     let (mut measured, mut failures) = (Vec::new(), Vec::new());
@@ -162,7 +173,7 @@ fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured
         }
     }
     let last = failures.pop();
-    failures.iter().for_each(|(name, error)| eprintln!("{name}: {error}"));
+    failures.iter().for_each(|(name, error)| note!("{name}: {error}"));
     last.map_or(Ok(measured), |(_, error)| Err(error.into()))
 }
 
@@ -230,6 +241,47 @@ fn recommended(
     Ok((text + &sweep.scene_file(&point.measured.point)?, place))
 }
 
+/// Refuses values that a user names and that no point admits, whatever the other knobs are.
+fn check_values(knobs: &[Knob], arguments: &Arguments, refused: &[(SweepPoint, LabError)]) -> Result<(), Failure> {
+    let (all, points_refused): (_, Vec<_>) = (points(knobs), refused.iter().map(|(point, _)| point).collect());
+    for (knob, text) in knobs.iter().zip(&arguments.knobs) {
+        if let Some(value) = knob.impossible(&all, &points_refused).first() {
+            let reason = refused.iter().find(|(point, _)| point.name == knob.alone(value));
+            let reason = reason.map_or_else(String::new, |(_, error)| format!(": {error}"));
+            return Err(Failure::Usage(format!("--vary {text}: `{value}` is no value here{reason}")));
+        }
+    }
+    Ok(())
+}
+
+/// Looks through all combinations of the knobs for one that is cheaper.
+fn look_further(
+    sweep: &Sweep,
+    knobs: &[Knob],
+    rated: Vec<Rated>,
+    estimator: &Estimator,
+    goal: Goal,
+) -> Result<(Vec<Rated>, Option<Searched>), Failure> {
+    if goal.tries == 0 {
+        return Ok((rated, None));
+    }
+    let count = combinations(knobs);
+    if count > PRODUCT_LIMIT {
+        let problem = format!("the knobs have {count} combinations: name fewer values with --vary, or use --tries 0");
+        return Err(Failure::Usage(problem));
+    }
+    let told = |point: &Rated| {
+        let [name, _, _, psnr, .., lut4] = cells(point);
+        note!("tried {name}: {psnr} dB, {lut4} LUT4");
+    };
+    let (found, searched) = search(sweep, knobs, &rated, estimator, &goal, told)?;
+    if searched.is_cut_short {
+        note!("{} combinations were rendered, and some that may be cheaper are left: --tries renders more", goal.tries);
+    }
+    let all = rated.into_iter().map(|point| point.measured).chain(found).collect();
+    Ok((rate(all, estimator), Some(searched)))
+}
+
 /// Sweeps the knobs, and says what came of it.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     match (&arguments.neighbors, &arguments.scene) {
@@ -248,16 +300,20 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     let sweep = Sweep::open(scene, &arguments.settings, folder.clone(), engine)?;
 
     let (planned, refused) = sweep.plan(points(&knobs));
+    check_values(&knobs, arguments, &refused)?;
     for (point, error) in &refused {
-        eprintln!("left out: {}: {error}", point.name);
+        note!("left out: {}: {error}", point.name);
     }
     if let Some(shard) = arguments.shard {
-        report(measure(&sweep, &shard.of(planned), arguments.jobs)?.len(), &folder, output);
-        return Ok(());
+        return report(measure(&sweep, &shard.of(planned), arguments.jobs)?.len(), &folder, output);
     }
     let measured = measure(&sweep, &planned, arguments.jobs)?;
     let estimator = estimator(&arguments.record, &Cache::new(folder))?;
     let rated = rate(measured, &estimator);
+    let (rated, searched) = match arguments.at_least {
+        Some(at_least) => look_further(&sweep, &knobs, rated, &estimator, arguments.goal(at_least))?,
+        None => (rated, None),
+    };
 
     let results = arguments.output.clone().unwrap_or_else(|| Path::new("out/accuracy").join(&name));
     let (legend, advice) = (legend(&estimator), advice(&rated));
@@ -280,10 +336,10 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     match arguments.at_least {
         Some(at_least) => {
             let (scene, place) = recommended(&sweep, &rated, arguments, scene, at_least)?;
+            result["searched"] = json!(searched);
             result["recommended"] = json!({ "point": rated[place].measured.point.name, "scene": scene });
-            output.print(&result, &scene);
+            output.print(&result, &scene)
         }
         None => output.print(&result, &format!("{text}\nWritten to {}.", results.display())),
     }
-    Ok(())
 }

@@ -6,6 +6,7 @@ mod record;
 use super::{Failure, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
 use pointcore_lab::Figures;
+use pointcore_lab::note;
 use pointcore_lab::synthesis::{
     self, AreaLine, AreaRecord, MeasuredUnit, Measurement, Revision, Style, Synthesizer, Target,
 };
@@ -184,11 +185,11 @@ fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         let style = if arguments.markdown { Style::Markdown } else { Style::Plain };
         let document = json!({ "target": arguments.target.name(), "units": measurements });
         let lines: Vec<_> = measurements.into_iter().map(AreaLine::from).collect();
-        output.print(&document, &synthesis::table(arguments.target, &lines, style));
+        output.print(&document, &synthesis::table(arguments.target, &lines, style))?;
     }
     let last = failures.pop();
     for failure in failures {
-        eprintln!("pointcore: {failure}");
+        note!("pointcore: {failure}");
     }
     last.map_or(Ok(()), Err)
 }

@@ -1,6 +1,7 @@
 //! Signs of life from the tools: a line for each step that is done, and of one that takes long what it is and since when.
 
 use indicatif::{MultiProgress, ProgressBar};
+use pointcore_lab::note;
 use pointcore_lab::synthesis::{State, Step};
 use std::collections::HashMap;
 use std::io::IsTerminal;
@@ -54,14 +55,14 @@ impl Display {
                 spinner.set_message(format!("{unit}: {} for {}", under_way(seed), time(duration)));
             }
             State::Running if duration.as_secs() > 0 && duration.as_secs().is_multiple_of(LOG_SECONDS) => {
-                eprintln!("{unit}: {} has run for {}", under_way(seed), time(duration));
+                note!("{unit}: {} has run for {}", under_way(seed), time(duration));
             }
             State::Running => {}
             State::Done => {
                 if let Some(spinner) = running.remove(&key) {
                     spinner.finish_and_clear();
                 }
-                self.spinners.suspend(|| eprintln!("{unit}: {} ({})", done(seed), time(duration)));
+                self.spinners.suspend(|| note!("{unit}: {} ({})", done(seed), time(duration)));
             }
         }
     }

@@ -67,7 +67,7 @@ fn load(path: &Path) -> Result<AreaRecord, Failure> {
 }
 
 /// What of a record is of the hardware as it is now, in words and for programs.
-fn print_ages(path: &Path, record: &AreaRecord, output: Output) {
+fn print_ages(path: &Path, record: &AreaRecord, output: Output) -> Result<(), Failure> {
     let (entries, earlier) = (record.entries().len(), record.earlier());
     let ages = match earlier {
         0 => "all of the hardware as it is now".to_owned(),
@@ -77,7 +77,7 @@ fn print_ages(path: &Path, record: &AreaRecord, output: Output) {
         ),
     };
     let document = json!({ "measurements": entries, "earlier": earlier, "stale": 0 });
-    output.print(&document, &format!("{}: {entries} measurements, {ages}", path.display()));
+    output.print(&document, &format!("{}: {entries} measurements, {ages}", path.display()))
 }
 
 /// Has what is not of the hardware as it is now name the revision it was measured of.
@@ -85,8 +85,7 @@ pub fn mark_stale(path: &Path, revision: &Revision, output: Output) -> Result<()
     let mut record = load(path)?;
     record.mark_stale(revision);
     write(path, &record.text())?;
-    print_ages(path, &record, output);
-    Ok(())
+    print_ages(path, &record, output)
 }
 
 /// Compares the record with the hardware as it is now, and the tables with the record.
@@ -103,8 +102,7 @@ pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), F
         }
     }
     if stale.is_empty() {
-        print_ages(path, &record, output);
-        return Ok(());
+        return print_ages(path, &record, output);
     }
     if has_aged {
         stale.push(Stale {
