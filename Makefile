@@ -16,17 +16,19 @@ JOBS ?= $(shell nproc)
 PAGE ?= out/accuracy/$(basename $(notdir $(SCENE)))/index.html
 # Where the record of areas last changed: every figure was checked to be of the hardware there.
 REVISION ?= $(shell git log -1 --format=%h -- docs/area.json)
+# How the libraries for other languages are built: dev or release.
+PROFILE ?= dev
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
 	@echo '  SCENE=FILE chooses the scene of run, plan, gen and accuracy (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
-	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments;'
+	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more arguments of it and of run-scan;'
 	@echo '  CORE=NAME the core of fusesoc (default $(CORE)), TARGETS=... what it runs (default $(TARGETS)).'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
@@ -50,8 +52,9 @@ setup-fpga: ## Install synthesis, place and route, FuseSoC, pinned, into target/
 run: setup ## Render SCENE on the generated hardware, in lockstep with its models, into out/
 	cargo run --release --bin pointcore -- run $(SCENE)
 
-run-scan: setup ## Render a scan given by path: make run-scan SCAN=../shared/data/igea.ply
-	cargo run --release --bin pointcore -- run scenes/igea.toml $(if $(SCAN),--set object.0.path=$(abspath $(SCAN)))
+run-scan: setup ## Render a model of your own, the camera around it, into out/: make run-scan SCAN=FILE (PLY, OBJ, glTF, PCD, LAS, LAZ, XYZ, CSV)
+	$(if $(SCAN),,$(error run-scan needs a model: make run-scan SCAN=path/to/model.ply))
+	cargo run --release --bin pointcore -- run $(SCAN) $(ARGS)
 
 knn: setup ## Search the nearest neighbors of POINTS on the generated hardware, in lockstep with its model, into out/knn
 	cargo run --release --bin pointcore -- knn --points $(POINTS) $(ARGS)
@@ -77,8 +80,18 @@ formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (fo
 cocotb: setup-cocotb ## Run frames and searches through the tops on AXI, with a bus that stalls and errs (cocotb/README.md)
 	@$(TOOLS)/bin/python cocotb/run.py $(CONFIGURATIONS)
 
+bindings: c python ## Build the libraries for C and for Python, and test both (docs/bindings.md)
+
+c: setup ## Build the C library and run its example; PROFILE=release as it is to be used
+	@PROFILE=$(PROFILE) ./scripts/bindings c
+
+python: setup ## Build the Python wheel and test it in a fresh environment; PROFILE=release as it is to be used
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+	@PROFILE=$(PROFILE) ./scripts/bindings python
+
 check: ## Formatting, clippy and documentation without warnings
 	cargo fmt --all --check
+	cargo fmt --manifest-path bindings/python/Cargo.toml --check
 	cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 
