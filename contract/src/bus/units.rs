@@ -182,6 +182,24 @@ pub struct Window {
     occupied: Output<bool>,
 }
 
+/// Cycles of quiet in a row that end a run: more than what is handed over in one cycle takes to show on the other side of a queue.
+pub const QUIET_CYCLES: u32 = 8;
+
+/// Ends a run early: keeps the core in reset until nothing is under way.
+#[ports(config: ())]
+pub struct Abort {
+    /// The run is to end.
+    asked: Input<bool>,
+    /// A run is under way.
+    running: Input<bool>,
+    /// Nothing is under way on the buses.
+    quiet: Input<bool>,
+    /// The core is to stay in reset, and what still comes to be dropped.
+    aborts: Output<bool>,
+    /// The run has ended.
+    ended: Output<bool>,
+}
+
 /// What the unit with the registers is made for.
 #[derive(Debug)]
 pub struct Registered<'a, M: RegisterMap> {

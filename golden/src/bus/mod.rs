@@ -1,6 +1,7 @@
 //! Models of the bus units (`docs/interfaces.md`), transaction by transaction: what moves and what is refused, not when. Time is
-//! the protocol's business, which proofs and the tests under stalls hold.
+//! the protocol's business, which proofs and the tests under stalls hold; only `abort` has its own.
 
+pub mod abort;
 pub mod packet_in;
 pub mod packet_out;
 pub mod reader;
@@ -8,6 +9,7 @@ pub mod registers;
 pub mod window;
 pub mod writer;
 
+pub use abort::Abort;
 pub use packet_in::{PacketIn, Verdict};
 pub use packet_out::PacketOut;
 pub use reader::Reader;

@@ -1,5 +1,6 @@
 //! The cores on AXI: units between a core's streams and the bus, and the tops. `docs/interfaces.md` states what each does.
 
+pub mod abort;
 pub mod cores;
 pub mod packet_in;
 pub mod packet_out;
@@ -127,6 +128,11 @@ mod tests {
         let sources = ErrorSources { busy, burst, packet, memory };
         let unit = Registered::<M> { config, sources };
         check(&registers::module::<M>(config, sources), units::registers::interface(&unit).ports());
+    }
+
+    #[test]
+    fn the_abort_has_the_specified_ports() {
+        check(&abort::module(), units::abort::interface(&()).ports());
     }
 
     #[test]
