@@ -73,6 +73,7 @@ class Control(IntFlag):
     START = 1
     RESET = 2
     CLEAR_ERRORS = 4
+    ABORT = 8
 
 
 class Status(IntFlag):
@@ -175,6 +176,21 @@ class Host:
     async def start(self) -> None:
         """Begins a run."""
         await self.write(Register.CONTROL, Control.START)
+
+    async def abort_part(self) -> None:
+        """Begins a run, sends a part of what it needs, and ends it somewhere on its way."""
+        await self.start()
+        packets = self.vectors.send.packets
+        self.send(packets[: self.random.randrange(len(packets))])
+        while not self.source.idle():
+            await ClockCycles(self.dut.clk, 1)
+        await ClockCycles(self.dut.clk, self.random.randrange(SETTLE_CYCLES))
+        await self.write(Register.CONTROL, Control.ABORT)
+        while await self.read(Register.STATUS) & Status.BUSY:
+            pass
+        assert await self.read(Register.STATUS) & Status.DONE
+        while not self.sink.empty():
+            self.sink.recv_nowait()
 
     async def receive(self, count: int) -> list[bytes]:
         """The next packets from the core."""

@@ -69,6 +69,21 @@ async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, see
 
 
 @cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS)
+async def an_aborted_run_leaves_nothing_behind(dut: HierarchyObject, seed: int) -> None:
+    """Runs that lack queries are ended; the next one finds what there is to find."""
+    host = await Searcher.begin(dut, seed)
+    await host.write_tree()
+    await host.set_up()
+    for _ in range(3):
+        await host.abort_part()
+    host.send(host.vectors.send.packets)
+    await host.start()
+    await host.receive_results()
+    assert await host.errors() == {}
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
 @cocotb.parametrize(seed=SEEDS[-1:])
 async def spoilt_answers_are_counted(dut: HierarchyObject, seed: int) -> None:
     """The data of an answer with an error is used as it came: here it is right. A reset afterwards empties the caches."""

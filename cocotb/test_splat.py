@@ -77,6 +77,20 @@ async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, see
 
 
 @cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS)
+async def an_aborted_run_leaves_nothing_behind(dut: HierarchyObject, seed: int) -> None:
+    """Frames that lack their end are ended; the next one is the model's."""
+    host = await Host.begin(dut, seed)
+    await host.set_up()
+    for _ in range(3):
+        await host.abort_part()
+    host.send(host.vectors.send.packets)
+    await host.start()
+    await receive_frame(host)
+    assert await host.errors() == {}
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
 @cocotb.parametrize(seed=SEEDS[-1:])
 async def spoilt_answers_are_counted(dut: HierarchyObject, seed: int) -> None:
     """The data of an answer with an error is used as it came: here it is right."""

@@ -51,9 +51,10 @@ struct Host {
     /// Cycles of the run, counted where the unit shows it.
     cycles: u64,
     has_uniforms: bool,
-    /// Uniforms and resets that the core was told of.
+    /// Uniforms, resets and aborts that the core was told of.
     uniforms: Vec<(u32, u32)>,
     resets: u32,
+    aborts: u32,
     random: fastrand::Rng,
 }
 
@@ -70,7 +71,7 @@ impl Host {
         let read_address = Feed::new(&bench, host.read_address, &(), &mut random, ar);
         let read_data = Drain::new(&bench, host.read_value, &(), r);
         let (model, has_uniforms) = (Registers::new(map), UniformBits::of(map).is_some());
-        let (cycles, uniforms, resets) = (0, vec![], 0);
+        let (cycles, uniforms, resets, aborts) = (0, vec![], 0, 0);
         Self {
             bench,
             address,
@@ -83,6 +84,7 @@ impl Host {
             has_uniforms,
             uniforms,
             resets,
+            aborts,
             random,
         }
     }
@@ -96,6 +98,7 @@ impl Host {
         let (start, busy) = (self.bench.get("start"), self.bench.get("busy"));
         self.cycles = if start == 1 { 0 } else { self.cycles } + busy;
         self.resets += self.bench.get("core_reset") as u32;
+        self.aborts += self.bench.get("aborts") as u32;
         if self.has_uniforms && self.bench.get("uniform_valid") == 1 {
             self.uniforms.push(["uniform_address", "uniform_data"].map(|name| self.bench.get(name) as u32).into());
         }
@@ -179,7 +182,7 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
         host.happens(&counted, &errors);
         let address = address(map, &mut host.random);
         if host.random.bool() {
-            let sense = [host.random.u32(..8), host.random.u32(..) & !0xfff, host.random.u32(..)];
+            let sense = [host.random.u32(..16), host.random.u32(..) & !0xfff, host.random.u32(..)];
             let (data, strobes) = (sense[host.random.usize(..3)], if host.random.u8(..8) == 0 { 7 } else { 0xf });
             let occupied = host.random.u8(..8) == 0;
             host.bench.set("occupied", occupied.into());
@@ -207,8 +210,10 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     }
     assert_eq!(host.uniforms, host.model.uniforms);
     assert_eq!(host.resets, host.model.resets);
-    let resets = host.resets;
-    assert!(refused > 100 && runs > 5 && resets > 5, "{refused} refused, {runs} runs, {resets} resets");
+    assert_eq!(host.aborts, host.model.aborts);
+    let (resets, aborts) = (host.resets, host.aborts);
+    assert!(refused > 100 && runs > 5, "{refused} refused, {runs} runs");
+    assert!(resets > 5 && aborts > 5, "{resets} resets, {aborts} aborts");
 }
 
 #[test]

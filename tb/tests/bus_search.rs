@@ -33,6 +33,19 @@ fn tree_words(config: &Config, tree: &Tree) -> Vec<(u64, u64)> {
     tree.writes.iter().map(word).collect()
 }
 
+/// Puts words of the tree where the core finds them.
+fn put(host: &mut SearchHost, config: &Config, words: impl IntoIterator<Item = (u64, u64)>) {
+    for (place, word) in words {
+        if config.tree_cache == 0 {
+            assert!(host.write_tree(place, word));
+        } else {
+            let stride = packets::tree_stride(config, config.bus.memory_bits);
+            let place = TREE_BASE as usize + place as usize * stride as usize;
+            host.memory[place..place + 8].copy_from_slice(&word.to_le_bytes());
+        }
+    }
+}
+
 fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
     let top = search::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let has_window = config.tree_cache == 0;
@@ -55,15 +68,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         host.memory[place..place + stride as usize].copy_from_slice(&points.encode(&values, stride));
     }
     host.write("points_base", POINTS_BASE);
-    for (place, word) in tree_words(config, tree) {
-        if config.tree_cache == 0 {
-            assert!(host.write_tree(place, word));
-        } else {
-            let stride = packets::tree_stride(config, config.bus.memory_bits);
-            let place = TREE_BASE as usize + place as usize * stride as usize;
-            host.memory[place..place + 8].copy_from_slice(&word.to_le_bytes());
-        }
-    }
+    put(&mut host, config, tree_words(config, tree));
     if config.tree_cache > 0 {
         host.write("tree_base", TREE_BASE);
     }
@@ -74,6 +79,17 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
     host
 }
 
+/// A query as it is sent.
+fn asked(config: &Config, number: u32, random: &mut fastrand::Rng) -> Vec<u64> {
+    let mut asked = query(config, number.into(), random);
+    if config.neighbor_cache > 0 {
+        // Nearest neighbors: one more than wanted, of any distance.
+        (asked[1], asked[2]) = (config.neighbors.into(), word(config, f32::INFINITY));
+        asked.push(word(config, 0.0));
+    }
+    asked
+}
+
 /// A run of queries, with packets that are refused between them.
 fn run(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fastrand::Rng, commands: u32) -> u32 {
     host.write("queries", QUERIES);
@@ -82,12 +98,7 @@ fn run(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fastran
     let mut queries = vec![];
     let mut refused = 0;
     for number in 0..QUERIES {
-        let mut asked = query(config, number.into(), random);
-        if config.neighbor_cache > 0 {
-            // Nearest neighbors: one more than wanted, of any distance.
-            (asked[1], asked[2]) = (config.neighbors.into(), word(config, f32::INFINITY));
-            asked.push(word(config, 0.0));
-        }
+        let asked = asked(config, number, random);
         let (senseless, short) = (random.u8(..8) == 0, random.u8(..8) == 0 && config.bus.stream_bits < 128);
         if senseless {
             host.send(&[&asked[..1], &[0], &asked[2..]].concat(), 0);
@@ -130,8 +141,18 @@ fn results(host: &SearchHost, count: usize) -> Vec<Vec<u64>> {
     found
 }
 
-#[test]
-fn neighbors_on_the_bus_equal_brute_force() {
+/// A run that ends before its time, somewhere on its way.
+fn aborted_run(host: &mut SearchHost, config: &Config, random: &mut fastrand::Rng) {
+    host.write("queries", QUERIES);
+    assert!(host.start(0));
+    for number in 0..random.u32(..QUERIES) {
+        host.send(&asked(config, number, random), 0);
+    }
+    (0..random.u32(..1000)).for_each(|_| host.step());
+    host.abort();
+}
+
+fn configs() -> [Config; 4] {
     let base = Config {
         index_bits: 10,
         tree_depth: 4,
@@ -142,12 +163,57 @@ fn neighbors_on_the_bus_equal_brute_force() {
         ..Config::default()
     };
     let bus = |stream_bits, memory_bits| Widths { stream_bits, memory_bits };
-    for config in [
+    [
         Config { bus: bus(64, 64), lanes: 1, ..base.clone() },
         Config { bus: bus(32, 128), lanes: 4, point_cache: 4, leaves_in_flight: 2, ..base.clone() },
         Config { bus: bus(512, 32), lanes: 2, tree_cache: 16, ..base.clone() },
         Config { bus: bus(64, 512), lanes: 8, tree_cache: 16, neighbor_cache: 2, ..base },
-    ] {
+    ]
+}
+
+#[test]
+fn an_aborted_run_leaves_nothing_behind() {
+    for config in configs() {
+        for seed in seeds(2).unwrap() {
+            let mut random = fastrand::Rng::with_seed(seed);
+            let tree = Tree::random(&config, &mut random);
+            let mut host = host(&config, &tree, seed);
+            let mut refused = 0;
+            for number in 1..=4 {
+                (0..3).for_each(|_| aborted_run(&mut host, &config, &mut random));
+                refused += run(&mut host, &config, &tree, &mut random, 0);
+                host.expect_errors([0, number, 0, refused, 0]);
+            }
+        }
+    }
+}
+
+/// Every leaf lacks its beats: each is read as one of one beat, and counted.
+#[test]
+fn leaves_without_beats_end_a_run_and_are_counted() {
+    for config in configs() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let tree = Tree::random(&config, &mut random);
+        let mut host = host(&config, &tree, 1);
+        let empty = (0..1 << config.tree_depth).map(|leaf| (leaf + (1 << config.tree_depth), 0));
+        put(&mut host, &config, empty);
+        host.write("queries", QUERIES);
+        assert!(host.start(0));
+        for number in 0..QUERIES {
+            host.send(&asked(&config, number, &mut random), 0);
+        }
+        host.finish();
+        let counted = host.read("burst_errors");
+        assert!(counted > 0 && (counted >= QUERIES || config.point_cache > 0 || config.neighbor_cache > 0), "{counted}");
+        put(&mut host, &config, tree_words(&config, &tree));
+        let refused = run(&mut host, &config, &tree, &mut random, RESET);
+        host.expect_errors([0, 1, counted, refused, 0]);
+    }
+}
+
+#[test]
+fn neighbors_on_the_bus_equal_brute_force() {
+    for config in configs() {
         for seed in seeds(2).unwrap() {
             let mut random = fastrand::Rng::with_seed(seed);
             let tree = Tree::random(&config, &mut random);

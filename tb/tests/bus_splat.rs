@@ -1,4 +1,4 @@
-//! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run.
+//! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run, and after runs that were aborted.
 
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::Config as Widths;
@@ -52,6 +52,9 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment>
     let mut random = fastrand::Rng::with_seed(seed);
     let (mut fragments, mut refused) = (Vec::<Fragment>::new(), 0);
     for (number, splats) in frame.records.split_inclusive(|splat| splat.end).enumerate() {
+        if number != 1 {
+            aborted_run(&mut host, config, &splats[..splats.len() - 1], &mut random);
+        }
         assert!(host.start(if number == 1 { RESET } else { 0 }));
         for splat in splats.iter().map(|splat| words(config, *splat)) {
             if config.bus.stream_bits < 512 && random.u8(..16) == 0 {
@@ -71,6 +74,14 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment>
         host.received.clear();
     }
     fragments
+}
+
+/// A run that ends before its time, somewhere on its way through splats.
+fn aborted_run(host: &mut Host<Splat, Fragment>, config: &Config, splats: &[Splat], random: &mut fastrand::Rng) {
+    assert!(host.start(0));
+    splats.iter().for_each(|splat| host.send(&words(config, *splat), 0));
+    (0..random.u32(..20_000)).for_each(|_| host.step());
+    host.abort();
 }
 
 #[test]

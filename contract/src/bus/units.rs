@@ -238,6 +238,8 @@ pub struct Registers<M: RegisterMap> {
     start: Output<bool>,
     /// The core is to be reset.
     core_reset: Output<bool>,
+    /// The run is to end.
+    aborts: Output<bool>,
     /// Interrupt.
     irq: Output<bool>,
     /// What the host has set.

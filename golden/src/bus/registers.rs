@@ -10,6 +10,7 @@ const ALL_STROBES: u8 = 0xf;
 const START: u32 = 1;
 const RESET: u32 = 2;
 const CLEAR_ERRORS: u32 = 4;
+const ABORT: u32 = 8;
 
 /// An answer on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +38,8 @@ pub struct Registers {
     pub uniforms: Vec<(u32, u32)>,
     /// Resets of the core.
     pub resets: u32,
+    /// How often the end of the run was asked for.
+    pub aborts: u32,
 }
 
 impl Registers {
@@ -52,6 +55,7 @@ impl Registers {
             done: false,
             uniforms: vec![],
             resets: 0,
+            aborts: 0,
         }
     }
 
@@ -131,6 +135,7 @@ impl Registers {
             self.counters.clear();
         }
         self.resets += u32::from(data & RESET != 0);
+        self.aborts += u32::from(data & ABORT != 0);
         if data & CLEAR_ERRORS != 0 {
             self.errors = [0; ERRORS.len()];
         }

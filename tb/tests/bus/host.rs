@@ -19,6 +19,7 @@ const SLAVE_ERROR: u64 = 2;
 /// Bits of `control`.
 pub const START: u32 = 1;
 pub const RESET: u32 = 2;
+const ABORT: u32 = 8;
 
 /// A memory port's read half, and where it reads.
 struct Reads {
@@ -265,6 +266,14 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     pub fn finish(&mut self) {
         let status = self.map.iter().find(|register| register.address == STATUS).unwrap().name.clone();
         while self.read(&status) & 1 == 1 {}
+    }
+
+    /// Ends the run before its time, and forgets what was not sent and what has come.
+    pub fn abort(&mut self) {
+        assert!(self.write_at(CONTROL.into(), ABORT));
+        self.finish();
+        self.packets_in.cease(&mut self.bench);
+        self.received.clear();
     }
 
     /// Writes a word of the tree; returns whether it was accepted.

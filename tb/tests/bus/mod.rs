@@ -194,6 +194,13 @@ impl Feed {
         }
     }
 
+    /// What has not been taken is not sent, as after a reset of whoever sends.
+    pub fn cease(&mut self, bench: &mut Bench) {
+        self.items.clear();
+        self.offering = false;
+        bench.inputs[self.valid] = 0;
+    }
+
     /// After a cycle: what was taken in it.
     pub fn taken(&mut self, bench: &Bench) -> Option<Vec<u64>> {
         let taken = self.offering && bench.outputs[self.ready] == 1;

@@ -1,8 +1,8 @@
 //! The register maps of both cores.
 
 use super::{
-    CONTROL, COUNTERS, ERRORS, EVENTS, ID, INTERRUPT_ENABLE, RUN_COUNTERS, Register, RegisterKind, RunCounter,
-    SETTINGS, STATUS, UNIFORMS,
+    CONTROL, CONTROL_BITS, COUNTERS, ERRORS, EVENTS, ID, INTERRUPT_ENABLE, RUN_COUNTERS, Register, RegisterKind,
+    RunCounter, SETTINGS, STATUS, UNIFORMS,
 };
 use crate::bus::config::{BORDER_BYTES, REGISTER_BITS};
 use crate::record::{Domain, Visitor, Word};
@@ -123,7 +123,7 @@ pub fn common(identity: u32, events: &[Field]) -> Vec<Register> {
             32,
             "\"PC\", the core (0x0A or 0x0B), the layout's version (1)",
         ),
-        Register::new("control", CONTROL, RegisterKind::Control, 3, "commands"),
+        Register::new("control", CONTROL, RegisterKind::Control, CONTROL_BITS.len() as u32, "commands"),
         Register::new("status", STATUS, RegisterKind::Status, 3, "where the core is"),
         Register::new("interrupt_enable", INTERRUPT_ENABLE, RegisterKind::InterruptEnable, 1, "what raises `irq`"),
     ];

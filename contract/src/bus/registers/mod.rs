@@ -27,10 +27,14 @@ pub const SETTINGS: u32 = 0x080;
 pub const UNIFORMS: u32 = 0x100;
 
 /// Bits of `control`.
-pub const CONTROL_BITS: [(&str, &str); 3] = [
+pub const CONTROL_BITS: [(&str, &str); 4] = [
     ("start", "begins a run, clears `done` and the run's counters"),
     ("reset", "resets the core's state (caches, threads); uniforms and the tree stay"),
     ("clear_errors", "clears the error counters"),
+    (
+        "abort",
+        "ends the run under way: the core is reset, what is under way on the buses is taken and dropped; without a run, nothing",
+    ),
 ];
 /// Bits of `status`.
 pub const STATUS_BITS: [(&str, &str); 3] = [
@@ -68,7 +72,8 @@ pub const ERRORS: [(ErrorCounter, &str, &str); 5] = [
     (
         ErrorCounter::Burst,
         "burst_errors",
-        "bursts refused by `s_axi`, and read bursts from memory whose `rlast` was not at their end",
+        "bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, and leaves without beats, read as of \
+         one",
     ),
     (
         ErrorCounter::Packet,

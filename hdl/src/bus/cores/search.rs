@@ -16,7 +16,7 @@ use pointcore_contract::search::units::top::PORTS;
 use pointcore_contract::unit::In;
 use pointcore_contract::{Record, record};
 
-use super::wiring::{feed, place, report};
+use super::wiring::{Abort, feed, place, report};
 use crate::bus::{Top, packet_in, packet_out, reader, registers, window};
 use crate::compiler::{CompileError, Options};
 use crate::search::top;
@@ -45,7 +45,7 @@ const WINDOW: units::window::Ports = units::window::Ports::ALL;
 #[must_use]
 pub const fn error_sources(config: &Config) -> ErrorSources {
     let (busy, memory) = if config.tree_cache == 0 { (1, 1) } else { (0, 2) };
-    ErrorSources { busy, burst: 2, packet: 1, memory }
+    ErrorSources { busy, burst: 3, packet: 1, memory }
 }
 
 /// A word of the tree as it lies in the window and in memory.
@@ -82,26 +82,29 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     export(&mut m, &bus.stream_bits, (results, RESULTS.packets), TOP.results);
 
     let [start, core_reset] = [CONTROL.start, CONTROL.core_reset].map(|port| port.word_of(&mut m, control));
-    m.reset_by(core, core_reset);
+    let abort = Abort::place::<SearchRegisters>(&mut m, control);
+    m.reset_by(core, core_reset | abort.drops);
+    m.reset_by(queries, abort.drops);
     QUERIES.opens.feed_word(&mut m, queries, start);
     pipe(&mut m, config, (queries, QUERIES.out), (core, PORTS.query));
     if config.neighbor_cache > 0 {
         setup(&mut m, config, core, control, start);
     }
-    run(&mut m, config, core, control, queries, results, start);
+    let run = run(&mut m, config, core, control, queries, results, start);
 
-    let points = points(&mut m, config, core, control);
+    let points = points(&mut m, config, core, control, abort);
     let tree = match config.tree_cache {
         0 => tree_window(&mut m, config, core, control),
-        _ => tree_memory(&mut m, config, core, control),
+        _ => tree_memory(&mut m, config, core, control, abort),
     };
-    let misplaced = POINTS.misplaced.word_of(&mut m, points);
-    let error = POINTS.error.word_of(&mut m, points);
+    let quiet = m.wire("quiet", run.results_idle & (points.idle & tree.idle));
+    let finished = abort.finished(&mut m, run.answered & run.results_idle, quiet);
+    CONTROL.finished.feed_word(&mut m, control, finished);
     let errors = ErrorInputs {
         busy_error: tree.busy.unwrap_or_default(),
-        burst_error: cat([misplaced, tree.burst]),
+        burst_error: cat([points.empty, points.misplaced, tree.burst]),
         packet_error: QUERIES.refused.word_of(&mut m, queries),
-        memory_error: cat(std::iter::once(error).chain(tree.memory)),
+        memory_error: cat(std::iter::once(points.error).chain(tree.memory)),
     };
     CONTROL.errors.feed(&mut m, &sources, control, errors);
     let events = (core, PORTS.events);
@@ -120,6 +123,14 @@ fn setup(m: &mut Module, config: &Config, core: Instance, control: Instance, sta
     PORTS.setup.feed(m, config, core, Pulse { valid: valid.expr(), record });
 }
 
+/// How far a run is.
+struct Run {
+    /// All queries are answered.
+    answered: Expr,
+    /// No result is on its way.
+    results_idle: Expr,
+}
+
 /// Counts queries in, and the last results of queries out.
 fn run(
     m: &mut Module,
@@ -129,7 +140,7 @@ fn run(
     queries: Instance,
     results: Instance,
     start: Expr,
-) {
+) -> Run {
     let wanted = CONTROL.settings.of(m, config, control).queries;
     let width = wanted.width();
     let countdown = |m: &mut Module, name: &str, goes: Expr| {
@@ -148,18 +159,33 @@ fn run(
     RESULTS.input.feed(m, config, results, result);
     let answered = m.wire("answered", result.transfer() & result.record.result.last);
     let answers_left = countdown(m, "answers_left", answered);
-    let idle = RESULTS.idle.word_of(m, results);
-    CONTROL.finished.feed_word(m, control, (!answers_left.any() & !start) & idle);
+    Run { answered: !answers_left.any() & !start, results_idle: RESULTS.idle.word_of(m, results) }
 }
 
-/// Reads points; returns the reader.
-fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) -> Instance {
+/// What the other parts hear of the points.
+struct PointSignals {
+    /// A leaf without beats is read: as one of one beat.
+    empty: Expr,
+    /// A burst is misshapen.
+    misplaced: Expr,
+    /// Memory answers with an error.
+    error: Expr,
+    /// None are awaited.
+    idle: Expr,
+}
+
+/// Reads points.
+fn points(m: &mut Module, config: &Config, core: Instance, control: Instance, abort: Abort) -> PointSignals {
     let bits = config.bus.memory_bits;
     let most = units::beats_max(config);
     let reads = m.instance("points", reader::module::<Points>(config, bits, most));
     export(m, &bits, (reads, POINTS.memory), TOP.points);
     let base = CONTROL.settings.of(m, config, control).points_base;
-    let fetch = PORTS.fetch.of(m, config, core);
+    let mut fetch = PORTS.fetch.of(m, config, core);
+    let is_empty = m.wire("is_empty", fetch.record.beats.is_zero());
+    let empty = m.reg_reset("empty_leaf", 1, 0);
+    m.next(empty, fetch.transfer() & is_empty);
+    fetch.record.beats = m.wire("beats", fetch.record.beats | is_empty.zext(config.beats_bits()));
     let stride_bits = Layout::record::<Points>(config).stride(bits).ilog2();
     let address = m.wire("points_address", place(base, fetch.record.address, stride_bits));
     let asked = Asked { name: "fetches", address, records: fetch.record.beats, records_max: most };
@@ -172,26 +198,29 @@ fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) ->
     let gives = m.wire("gives_beat", record.valid & head.valid);
     let address = head.record.address + place.resize(config.beat_bits());
     let beat = Beat { place: BeatPlace { thread: head.record.thread, address, last }, points: record.record };
-    let taken = PORTS.beat.offer(m, config, core, gives, beat);
+    let taken = PORTS.beat.offer(m, config, core, gives, beat) | abort.drops;
     m.drive(record.ready, taken & head.valid);
     let moves = m.wire("beat_moves", gives & taken);
     m.drive(head.ready, moves & last);
     m.next_if(place, moves, last.mux(lit(place_bits, 0), place.add_lit(1)));
-    reads
+    let [misplaced, error] = [POINTS.misplaced, POINTS.error].map(|port| port.word_of(m, reads));
+    PointSignals { empty: empty.expr(), misplaced, error, idle: !head.valid }
 }
 
-/// What of the tree goes wrong.
-struct TreeErrors {
+/// What the other parts hear of the tree.
+struct TreeSignals {
     /// The tree is written while a run is under way, where it can be written.
     busy: Option<Expr>,
     /// A burst is refused or misshapen.
     burst: Expr,
     /// Memory answers with an error, where the tree lies in memory.
     memory: Option<Expr>,
+    /// Nothing of it is awaited.
+    idle: Expr,
 }
 
 /// Lets the host write the tree.
-fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance) -> TreeErrors {
+fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance) -> TreeSignals {
     let index_bits = units::window_index_bits(config);
     let window = m.instance("tree", window::module(index_bits));
     export(m, &TREE_WORD_BITS, (window, WINDOW.host), TOP.window);
@@ -204,11 +233,11 @@ fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instanc
     let occupied = WINDOW.occupied.word_of(m, window);
     CONTROL.occupied.feed_word(m, control, occupied);
     let [refused_busy, burst] = [WINDOW.refused_busy, WINDOW.refused_burst].map(|port| port.word_of(m, window));
-    TreeErrors { busy: Some(refused_busy), burst, memory: None }
+    TreeSignals { busy: Some(refused_busy), burst, memory: None, idle: bit(true) }
 }
 
 /// Reads the tree.
-fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instance) -> TreeErrors {
+fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instance, abort: Abort) -> TreeSignals {
     let bits = config.bus.memory_bits;
     let reads = m.instance("tree", reader::module::<TreeWord>(config, bits, 1));
     export(m, &bits, (reads, TREE.memory), TOP.tree);
@@ -225,11 +254,11 @@ fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instanc
     let TreeWord { word } = record.record;
     let (node, bucket) = (in_word(config, word), in_word(config, word));
     let answer = TreeRecord { lookup: head.record, node, bucket };
-    let taken = PORTS.record.offer(m, config, core, gives, answer);
+    let taken = PORTS.record.offer(m, config, core, gives, answer) | abort.drops;
     m.drive(record.ready, taken & head.valid);
     m.drive(head.ready, taken & record.valid);
     let [burst, error] = [TREE.misplaced, TREE.error].map(|port| port.word_of(m, reads));
-    TreeErrors { busy: None, burst, memory: Some(error) }
+    TreeSignals { busy: None, burst, memory: Some(error), idle: !head.valid }
 }
 
 /// A request of the core's to memory.

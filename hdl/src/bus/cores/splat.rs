@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use pointcore_contract::bus::config::READS_MAX;
 use pointcore_contract::bus::registers::{ErrorInputs, ErrorSources, RegisterMap, SplatRegisters, UniformBits};
 use pointcore_contract::bus::units;
 use pointcore_contract::bus::units::splat_axi::Ports;
@@ -11,17 +12,20 @@ use pointcore_contract::splat::records::{Fragment, Pixel, Splat, UniformWrite};
 use pointcore_contract::splat::units::top::PORTS;
 
 use super::buffer::{Buffer, Placed};
-use super::wiring::report;
+use super::wiring::{Abort, report};
 use crate::bus::{Top, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::top;
 use crate::units::ports::{
     InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, export, pipe,
 };
-use rtl::{Module, bit, cat};
+use rtl::{Module, bit, cat, lit};
 
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
 const ERROR_SOURCES: ErrorSources = ErrorSources { busy: 0, burst: 1, packet: 1, memory: 2 };
+
+/// Bits that count the pixels awaited from memory: of as many tiles as the reader takes, and more.
+const AWAITED_BITS: u32 = (TILE_PIXELS * 4 * READS_MAX).ilog2();
 
 /// The ports of what is placed.
 const TOP: Ports = Ports::ALL;
@@ -54,7 +58,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     export(&mut m, &bus.memory_bits, (writes, WRITES.memory), TOP.writes);
 
     let [start, core_reset] = [CONTROL.start, CONTROL.core_reset].map(|port| port.word_of(&mut m, control));
-    m.reset_by(core, core_reset);
+    let abort = Abort::place::<SplatRegisters>(&mut m, control);
+    m.reset_by(core, core_reset | abort.drops);
+    m.reset_by(splats, abort.drops);
     SPLATS.opens.feed_word(&mut m, splats, start);
     pipe(&mut m, config, (splats, SPLATS.out), (core, PORTS.splat));
     let written = CONTROL.uniform.of(&mut m, &uniform_bits(config), control);
@@ -66,8 +72,14 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
         Buffer::<Pixel> { config, tile_pixels: TILE_PIXELS, memory_bits: bus.memory_bits, base, reads, writes };
     let (read, write) = (PORTS.read.of(&mut m, config, core), PORTS.write.of(&mut m, config, core));
     let write = write.map(|placed| Placed { tile: placed.tile, pixel: placed.pixel, value: placed.value });
+    let asks = read.transfer();
     buffer.order(&mut m, read.map(|read| read.tile), write);
-    pipe(&mut m, config, (reads, READS.record), (core, PORTS.data));
+    let pixel = READS.record.of(&mut m, config, reads);
+    let taken = PORTS.data.offer(&mut m, config, core, pixel.valid, pixel.record);
+    m.drive(pixel.ready, taken | abort.drops);
+    let awaited = m.reg_reset("awaited", AWAITED_BITS, 0);
+    let asked = asks.mux(lit(AWAITED_BITS, TILE_PIXELS.into()), lit(AWAITED_BITS, 0));
+    m.next(awaited, awaited + asked - pixel.transfer().zext(AWAITED_BITS));
 
     // The run ends when its last packet has left and memory has answered.
     let fragment = PORTS.fragment.of(&mut m, config, core);
@@ -76,7 +88,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let has_ended = m.reg_reset("has_ended", 1, 0);
     m.next(has_ended, is_last | (has_ended & !start));
     let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
-    let finished = (has_ended & !start) & (idle[0] & idle[1]);
+    let idle = m.wire("is_idle", idle[0] & idle[1]);
+    let quiet = m.wire("quiet", idle & awaited.is_zero());
+    let finished = abort.finished(&mut m, (has_ended & !start) & idle, quiet);
     CONTROL.finished.feed_word(&mut m, control, finished);
     CONTROL.occupied.feed_word(&mut m, control, bit(false));
 

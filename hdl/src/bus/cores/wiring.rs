@@ -3,10 +3,10 @@
 use pointcore_contract::Record;
 use pointcore_contract::bus::packets::Packet;
 use pointcore_contract::bus::registers::RegisterMap;
-use pointcore_contract::bus::units::{packet_in, packet_out, registers};
+use pointcore_contract::bus::units::{abort, packet_in, packet_out, registers};
 use pointcore_contract::unit::{In, Output};
 
-use crate::bus::ADDRESS_BITS;
+use crate::bus::{self, ADDRESS_BITS};
 use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, WordPort};
 use crate::units::wires::Wired;
 use rtl::{Expr, Instance, Module, Wire, cat, lit};
@@ -22,6 +22,36 @@ pub(super) fn feed<R: Record>(
 ) {
     let ready = input.offer(m, config, to, valid & gate, record);
     m.drive(stream_ready, ready & gate);
+}
+
+/// What ends a run before its time.
+#[derive(Clone, Copy)]
+pub(super) struct Abort {
+    unit: Instance,
+    /// The core is to stay in reset, and what still comes for it to be dropped.
+    pub drops: Expr,
+}
+
+impl Abort {
+    const PORTS: abort::Ports = abort::Ports::ALL;
+
+    /// Places the unit beside the registers.
+    pub fn place<M: RegisterMap>(m: &mut Module, control: Instance) -> Self {
+        let unit = m.instance("early_end", bus::abort::module());
+        let ports = registers::Ports::<M>::ALL;
+        let asked = ports.aborts.word_of(m, control);
+        Self::PORTS.asked.feed_word(m, unit, asked);
+        let running = ports.busy.word_of(m, control);
+        Self::PORTS.running.feed_word(m, unit, running);
+        Self { unit, drops: Self::PORTS.aborts.word_of(m, unit) }
+    }
+
+    /// Whether the run has ended, by itself or early; nothing is under way on the buses while `quiet`.
+    pub fn finished(&self, m: &mut Module, by_itself: Expr, quiet: Expr) -> Expr {
+        Self::PORTS.quiet.feed_word(m, self.unit, quiet);
+        let ended = Self::PORTS.ended.word_of(m, self.unit);
+        (by_itself & !self.drops) | ended
+    }
 }
 
 /// Tells the registers what packets did and what happened in the core; returns their interrupt.

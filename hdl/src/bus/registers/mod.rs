@@ -94,10 +94,11 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     }
     let control = map.iter().find(|register| register.kind == RegisterKind::Control).expect("every map has `control`");
     let commands = m.wire("commands", write.accepted & write.chooses(control));
-    let [start, core_reset, clear_errors] = ["start", "core_reset", "clear_errors"].map(|name| m.reg_reset(name, 1, 0));
-    for (number, pulse) in (0..).zip([start, core_reset, clear_errors]) {
+    let pulses = ["start", "core_reset", "clear_errors", "aborts"].map(|name| m.reg_reset(name, 1, 0));
+    for (number, pulse) in (0..).zip(pulses) {
         m.next(pulse, commands & write.data.bit(number));
     }
+    let [start, core_reset, clear_errors, aborts] = pulses;
     let starts = m.wire("starts", commands & write.data.bit(0));
     m.next(busy, starts | (busy & !finished));
     let done = m.reg_reset("done", 1, 0);
@@ -105,6 +106,7 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     ports.busy.drive_word(&mut m, busy);
     ports.start.drive_word(&mut m, start);
     ports.core_reset.drive_word(&mut m, core_reset);
+    ports.aborts.drive_word(&mut m, aborts);
     uniform_out(&mut m, ports.uniform, map, &write);
 
     let read = Read::new(&mut m, map);
