@@ -21,6 +21,7 @@
 #define SPLAT_CONTROL_START (UINT32_C(1) << 0) /* begins a run, clears `done` and the run's counters */
 #define SPLAT_CONTROL_RESET (UINT32_C(1) << 1) /* resets the core's state (caches, threads); uniforms and the tree stay */
 #define SPLAT_CONTROL_CLEAR_ERRORS (UINT32_C(1) << 2) /* clears the error counters */
+#define SPLAT_CONTROL_ABORT (UINT32_C(1) << 3) /* ends the run under way: the core is reset, what is under way on the buses is taken and dropped; without a run, nothing */
 #define SPLAT_STATUS 0x008u /* read: where the core is */
 #define SPLAT_STATUS_BUSY (UINT32_C(1) << 0) /* a run is under way */
 #define SPLAT_STATUS_DONE (UINT32_C(1) << 1) /* a run has ended since the last start */
@@ -29,7 +30,7 @@
 #define SPLAT_INTERRUPT_ENABLE_DONE (UINT32_C(1) << 0) /* `irq` is high while `done` is */
 #define SPLAT_ACCESS_ERRORS 0x010u /* read: register accesses refused: outside the map, not of a whole aligned word, written where only read or read where only written, a value that makes no sense */
 #define SPLAT_BUSY_ERRORS 0x014u /* read: accesses refused because a run is under way */
-#define SPLAT_BURST_ERRORS 0x018u /* read: bursts refused by `s_axi`, and read bursts from memory whose `rlast` was not at their end */
+#define SPLAT_BURST_ERRORS 0x018u /* read: bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, and leaves without beats, read as of one */
 #define SPLAT_PACKET_ERRORS 0x01cu /* read: packets refused: `tlast` before or after their end, or a field out of its range */
 #define SPLAT_MEMORY_ERRORS 0x020u /* read: responses from memory that were not OKAY */
 #define SPLAT_CYCLES 0x024u /* read: cycles of the run, to its end or so far */

@@ -7,8 +7,7 @@ module splat_top (
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [23:0] uniform_data,  // Its new value.
-    input  wire splat_valid,  // Splats in world space.
-    output wire splat_ready,
+    input  wire splat_valid, output wire splat_ready,  // Splats in world space.
     input  wire splat_end,  // Closes the frame.
     input  wire [23:0] splat_center_x,  // Center.
     input  wire [23:0] splat_center_y,  // Center.
@@ -22,18 +21,15 @@ module splat_top (
     input  wire [11:0] splat_attribute_0,  // Attributes.
     input  wire [11:0] splat_attribute_1,  // Attributes.
     input  wire [11:0] splat_attribute_2,  // Attributes.
-    output wire read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output wire [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [39:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -41,8 +37,7 @@ module splat_top (
     output wire [39:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [39:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [39:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire fragment_valid,  // Fragments of the image.
-    input  wire fragment_ready,
+    output wire fragment_valid, input wire fragment_ready,  // Fragments of the image.
     output wire fragment_end,  // Closes the frame.
     output wire [8:0] fragment_column,  // Column of the image.
     output wire [8:0] fragment_row,  // Row of the image.
@@ -63,7 +58,7 @@ module splat_top (
     reg [23:0] uniform_epsilon_scale, uniform_epsilon_bias, uniform_filter_radius;
     reg [15:0] uniform_filter_scale;
 
-    wire transform_in_ready, transform_out_valid, transform_out_end;
+    wire transform_out_valid, transform_out_end;
     wire [23:0] transform_out_center_x, transform_out_center_y, transform_out_center_z, transform_out_tangent1_x;
     wire [23:0] transform_out_tangent1_y, transform_out_tangent1_z, transform_out_tangent2_x;
     wire [23:0] transform_out_tangent2_y, transform_out_tangent2_z;
@@ -107,15 +102,7 @@ module splat_top (
     wire [11:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
-    wire tile_cache_out_slot, tile_cache_read_valid;
-    wire [11:0] tile_cache_read_tile;
-    wire tile_cache_data_ready, tile_cache_write_valid;
-    wire [11:0] tile_cache_write_tile;
-    wire [5:0] tile_cache_write_pixel;
-    wire [27:0] tile_cache_write_weight;
-    wire [51:0] tile_cache_write_depth;
-    wire [39:0] tile_cache_write_attribute_0, tile_cache_write_attribute_1, tile_cache_write_attribute_2;
-    wire tile_cache_pixel_valid, tile_cache_pixel_end;
+    wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
@@ -135,8 +122,8 @@ module splat_top (
     wire [15:0] rasterizer_out_weight;
     wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
     wire [11:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
-    wire rasterizer_event_sample, rasterizer_event_starved, rasterizer_event_blocked, weighting_in_ready;
-    wire weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside, weighting_out_slot;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
@@ -146,41 +133,10 @@ module splat_top (
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
     wire [39:0] accumulator_drain_attribute_0, accumulator_drain_attribute_1, accumulator_drain_attribute_2;
-    wire accumulator_event_accumulate, accumulator_event_hazard, accumulator_event_slot_wait;
-    wire normalizer_in_ready, normalizer_out_valid, normalizer_out_end;
-    wire [8:0] normalizer_out_column, normalizer_out_row;
-    wire [23:0] normalizer_out_depth;
-    wire [11:0] normalizer_out_attribute_0, normalizer_out_attribute_1, normalizer_out_attribute_2;
-
-    assign splat_ready = transform_in_ready;
-    assign read_valid = tile_cache_read_valid;
-    assign read_tile = tile_cache_read_tile;
-    assign data_ready = tile_cache_data_ready;
-    assign write_valid = tile_cache_write_valid;
-    assign write_tile = tile_cache_write_tile;
-    assign write_pixel = tile_cache_write_pixel;
-    assign write_weight = tile_cache_write_weight;
-    assign write_depth = tile_cache_write_depth;
-    assign write_attribute_0 = tile_cache_write_attribute_0;
-    assign write_attribute_1 = tile_cache_write_attribute_1;
-    assign write_attribute_2 = tile_cache_write_attribute_2;
-    assign fragment_valid = normalizer_out_valid;
-    assign fragment_end = normalizer_out_end;
-    assign fragment_column = normalizer_out_column;
-    assign fragment_row = normalizer_out_row;
-    assign fragment_depth = normalizer_out_depth;
-    assign fragment_attribute_0 = normalizer_out_attribute_0;
-    assign fragment_attribute_1 = normalizer_out_attribute_1;
-    assign fragment_attribute_2 = normalizer_out_attribute_2;
-    assign event_sample = rasterizer_event_sample;
-    assign event_starved = rasterizer_event_starved;
-    assign event_blocked = rasterizer_event_blocked;
-    assign event_accumulate = accumulator_event_accumulate;
-    assign event_hazard = accumulator_event_hazard;
-    assign event_slot_wait = accumulator_event_slot_wait;
+    wire normalizer_in_ready;
 
     splat_transform transform (
-        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(splat_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -287,14 +243,14 @@ module splat_top (
         .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
         .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
         .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
-        .read_valid(tile_cache_read_valid), .read_ready(read_ready), .read_tile(tile_cache_read_tile),
-        .data_valid(data_valid), .data_ready(tile_cache_data_ready), .data_weight(data_weight),
-        .data_depth(data_depth), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2),
-        .write_valid(tile_cache_write_valid), .write_ready(write_ready), .write_tile(tile_cache_write_tile),
-        .write_pixel(tile_cache_write_pixel), .write_weight(tile_cache_write_weight),
-        .write_depth(tile_cache_write_depth), .write_attribute_0(tile_cache_write_attribute_0),
-        .write_attribute_1(tile_cache_write_attribute_1), .write_attribute_2(tile_cache_write_attribute_2),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2),
         .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
         .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
         .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
@@ -331,8 +287,7 @@ module splat_top (
         .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
         .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
         .filter_scale(uniform_filter_scale),
-        .event_sample(rasterizer_event_sample), .event_starved(rasterizer_event_starved),
-        .event_blocked(rasterizer_event_blocked)
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
     );
 
     splat_weighting weighting (
@@ -368,8 +323,7 @@ module splat_top (
         .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
         .drain_depth(accumulator_drain_depth), .drain_attribute_0(accumulator_drain_attribute_0),
         .drain_attribute_1(accumulator_drain_attribute_1), .drain_attribute_2(accumulator_drain_attribute_2),
-        .event_accumulate(accumulator_event_accumulate), .event_hazard(accumulator_event_hazard),
-        .event_slot_wait(accumulator_event_slot_wait)
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
@@ -378,10 +332,10 @@ module splat_top (
         .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
         .in_attribute_0(tile_cache_pixel_attribute_0), .in_attribute_1(tile_cache_pixel_attribute_1),
         .in_attribute_2(tile_cache_pixel_attribute_2),
-        .out_valid(normalizer_out_valid), .out_ready(fragment_ready), .out_end(normalizer_out_end),
-        .out_column(normalizer_out_column), .out_row(normalizer_out_row), .out_depth(normalizer_out_depth),
-        .out_attribute_0(normalizer_out_attribute_0), .out_attribute_1(normalizer_out_attribute_1),
-        .out_attribute_2(normalizer_out_attribute_2)
+        .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
+        .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
+        .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
+        .out_attribute_2(fragment_attribute_2)
     );
 
     always @(posedge clk) begin
@@ -418,8 +372,7 @@ endmodule
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Pixels of a finished frame.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Pixels of a finished frame.
     input  wire in_end,  // Closes the frame.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [5:0] in_pixel,  // Pixel of the tile.
@@ -428,8 +381,7 @@ module splat_normalizer (
     input  wire [39:0] in_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] in_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] in_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire out_valid,  // Fragments.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Fragments.
     output wire out_end,  // Closes the frame.
     output wire [8:0] out_column,  // Column of the image.
     output wire [8:0] out_row,  // Row of the image.
@@ -454,7 +406,6 @@ module splat_normalizer (
     reg [13:0] attribute_0_out_shifted_d1, attribute_1_out_shifted_d1, attribute_2_out_shifted_d1;
     reg [30:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [78:0] queue_out_data;
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
@@ -482,75 +433,71 @@ module splat_normalizer (
     wire [13:0] attribute_2_out_sum_bits = {to_fixed_f24_ftz_s13q12_unit_copy3_y[12], to_fixed_f24_ftz_s13q12_unit_copy3_y};
     wire [13:0] attribute_2_out_sum = {13'd0, not_attribute_2_out_fixed_sign} + attribute_2_out_sum_bits;
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_out_data;
 
     stream_skid_w79 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[30]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[30]), .in_ready(in_ready),
         .in_data({
             end_d31, column_out_d31, row_out_d31, depth_out_d4, attribute_0_out_lesser[11:0],
             attribute_1_out_lesser[11:0], attribute_2_out_lesser[11:0]
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_0_float_d19),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_0_float_d19),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_1_float_d19),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_1_float_d19),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_2_float_d19),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(attribute_2_float_d19),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_attribute_0), .y(to_float_s40q27_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_attribute_0), .y(to_float_s40q27_f24_ftz_unit_y)
     );
 
     float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(in_attribute_1), .y(to_float_s40q27_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(in_attribute_1), .y(to_float_s40q27_f24_ftz_unit_copy2_y)
     );
 
     float_from_fixed_s4_f24ftz_w40_f27_signed to_float_s40q27_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(in_attribute_2), .y(to_float_s40q27_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(in_attribute_2), .y(to_float_s40q27_f24_ftz_unit_copy3_y)
     );
 
     float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(to_fixed_f24_ftz_s13q12_unit_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(to_fixed_f24_ftz_s13q12_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
-        .y(to_fixed_f24_ftz_s13q12_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y), .y(to_fixed_f24_ftz_s13q12_unit_copy2_y)
     );
 
     float_to_fixed_s3_f24ftz_w13_f12_signed to_fixed_f24_ftz_s13q12_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
-        .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy4_y), .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
@@ -559,7 +506,7 @@ module splat_normalizer (
             delay_20_from_0_pointer <= 5'd0;
             delay_31_from_0_pointer <= 5'd0;
             in_flight <= 31'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
@@ -567,7 +514,7 @@ module splat_normalizer (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             depth_out_d1 <= mul_f24_ftz_unit_y;
             depth_out_d2 <= depth_out_d1;
             depth_out_d3 <= depth_out_d2;
@@ -578,25 +525,23 @@ module splat_normalizer (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_19_from_0[delay_19_from_0_pointer] <= {
                 to_float_s40q27_f24_ftz_unit_copy3_y, to_float_s40q27_f24_ftz_unit_copy2_y,
                 to_float_s40q27_f24_ftz_unit_y
             };
         end
-        if (queue_in_ready) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        if (in_ready) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= to_float_u52q40_f24_ftz_unit_y;
-        end
-        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (in_ready) delay_20_from_0[delay_20_from_0_pointer] <= to_float_u52q40_f24_ftz_unit_y;
+        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_31_from_0[delay_31_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
         end
-        if (queue_in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+        if (in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
 
     wire _unused = &{
@@ -916,8 +861,7 @@ endmodule
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples with their contributions.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples with their contributions.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1026,7 +970,7 @@ module splat_accumulator (
     reg [39:0] sum_of_attribute_2_4, sum_of_attribute_2_5, sum_of_attribute_2_6, sum_of_attribute_2_7;
     reg [39:0] sum_of_attribute_2_8;
 
-    wire places_in_ready, places_out_valid;
+    wire places_out_valid;
     wire [9:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [187:0] samples_out_data;
@@ -1081,7 +1025,6 @@ module splat_accumulator (
     wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
 
-    assign in_ready = places_in_ready;
     assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
 
     memory_1w1r_unordered #(.WIDTH(200), .DEPTH(64)) slot_0_pixels (
@@ -1099,7 +1042,7 @@ module splat_accumulator (
     );
 
     stream_fifo_d64_w10_distributed places (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
@@ -1469,8 +1412,7 @@ endmodule
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1483,8 +1425,7 @@ module splat_weighting (
     input  wire [11:0] in_attribute_0,  // Attributes.
     input  wire [11:0] in_attribute_1,  // Attributes.
     input  wire [11:0] in_attribute_2,  // Attributes.
-    output wire out_valid,  // Samples with their contributions.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples with their contributions.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1506,51 +1447,48 @@ module splat_weighting (
     reg [27:0] attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1;
     reg [2:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [197:0] queue_out_data;
     wire [39:0] mul_u16_u24_unit_y;
     wire [28:0] mul_s17_s12_unit_y, mul_s17_s12_unit_copy2_y, mul_s17_s12_unit_copy3_y;
 
     wire [16:0] factor = {1'd0, in_weight};
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
         out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2
     } = queue_out_data;
 
     stream_skid_w198 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[2]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[2]), .in_ready(in_ready),
         .in_data({
             end_d3, last_d3, inside_d3, slot_d3, pixel_d3, weight_d3, mul_u16_u24_unit_y, depth_low_d3,
             depth_high_d3, attribute_0_out_d1, attribute_1_out_d1, attribute_2_out_d1
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .b(in_depth), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .b(in_depth), .y(mul_u16_u24_unit_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit (
-        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
+        .clk(clk), .enable(in_ready), .a(factor), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_1), .y(mul_s17_s12_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(factor), .b(in_attribute_1), .y(mul_s17_s12_unit_copy2_y)
     );
 
     integer_mul_s2_s17_s12 mul_s17_s12_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(factor), .b(in_attribute_2), .y(mul_s17_s12_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(factor), .b(in_attribute_2), .y(mul_s17_s12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
         if (rst) in_flight <= 3'd0;
-        else if (queue_in_ready) in_flight <= {in_flight[1:0], in_valid};
+        else if (in_ready) in_flight <= {in_flight[1:0], in_valid};
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             end_d1 <= in_end;
             end_d2 <= end_d1;
             end_d3 <= end_d2;
@@ -1673,8 +1611,7 @@ endmodule
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies with their slots.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies with their slots.
     input  wire in_end,  // Closes the frame.
     input  wire [25:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [25:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -1698,8 +1635,7 @@ module splat_rasterizer (
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire in_slot,  // Slot of the tile cache.
-    output wire out_valid,  // Samples.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1731,11 +1667,7 @@ module splat_rasterizer (
     reg [15:0] my;  // `m` in y.
     reg [3:0] shift;  // In fixed point, places by which offsets from the centre are shifted.
 
-    wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
-    wire evaluation_out_inside, evaluation_out_slot;
-    wire [5:0] evaluation_out_pixel;
-    wire [15:0] evaluation_out_weight;
-    wire shared_in_ready, shared_out_valid;
+    wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [107:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
@@ -1747,13 +1679,6 @@ module splat_rasterizer (
     wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
-    assign out_valid = evaluation_out_valid;
-    assign out_end = evaluation_out_end;
-    assign out_last = evaluation_out_last;
-    assign out_inside = evaluation_out_inside;
-    assign out_slot = evaluation_out_slot;
-    assign out_pixel = evaluation_out_pixel;
-    assign out_weight = evaluation_out_weight;
     assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
 
     splat_evaluation evaluation (
@@ -1762,15 +1687,14 @@ module splat_rasterizer (
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
         .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_shift(shift),
         .filter_scale(filter_scale),
-        .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
-        .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
-        .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
+        .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
+        .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
     stream_fifo_d64_w108 shared (
         .clk(clk), .rst(rst), .in_valid(load & ~in_end), .in_ready(shared_in_ready),
         .in_data({in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2}),
-        .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_valid(shared_out_valid), .out_ready(out_ready & out_valid & out_last),
         .out_data(shared_out_data)
     );
 
@@ -2014,7 +1938,6 @@ module splat_evaluation (
     reg not_end_d1;
     reg [36:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [25:0] queue_out_data;
     wire [31:0] mul_s16_s16_unit_y, mul_s16_s16_unit_copy2_y, mul_s16_s16_unit_copy3_y, mul_s16_s16_unit_copy4_y;
     wire [31:0] mul_s16_s16_unit_copy5_y, mul_s16_s16_unit_copy6_y, mul_s16_s16_unit_copy7_y;
@@ -2173,73 +2096,68 @@ module splat_evaluation (
     wire end_or_last_or_inside_out = end_d17 | last_or_inside_out;
     wire [15:0] weight_out_chosen_copy34 = weight_out_both_d1_copy7 ? weight_out_product_bits_d1 : 16'hffff;
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[36] & end_or_last_or_inside_out_d20),
-        .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[36] & end_or_last_or_inside_out_d20), .in_ready(in_ready),
         .in_data({end_d37, last_d37, inside_out_d20, slot_d37, pixel_out_d37, interpolate_8_8_16_unit_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s16_s16_unit_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(ay_d2), .y(mul_s16_s16_unit_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s16_s16_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(ax_d2), .y(mul_s16_s16_unit_copy2_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s16_s16_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(by_d2), .y(mul_s16_s16_unit_copy3_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s16_s16_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(bx_d2), .y(mul_s16_s16_unit_copy4_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s16_s16_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy2), .b(mx_d2), .y(mul_s16_s16_unit_copy5_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s16_s16_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(s1_chosen_d1_copy4), .b(my_d2), .y(mul_s16_s16_unit_copy6_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2),
-        .y(mul_s16_s16_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(x_bits_d1_copy2), .b(x_bits_d1_copy2), .y(mul_s16_s16_unit_copy7_y)
     );
 
     integer_mul_s2_s16_s16 mul_s16_s16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2),
-        .y(mul_s16_s16_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(y_bits_d1_copy2), .b(y_bits_d1_copy2), .y(mul_s16_s16_unit_copy8_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit (
-        .clk(clk), .enable(queue_in_ready), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
+        .clk(clk), .enable(in_ready), .a(denominator_chosen_bits_d1), .b(denominator_chosen_bits_d1),
         .y(mul_u18_u18_unit_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy12),
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy12),
         .b(weight_out_chosen_bits_d1_copy12), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(weight_out_chosen_bits_d1_copy13),
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy13),
         .b(weight_out_chosen_bits_d1_copy13), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale),
+        .clk(clk), .enable(in_ready), .a(weight_out_sum_bits_d1_copy2), .b(filter_scale),
         .y(mul_u18_u16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(in_ready), .a(weight_out_lesser_d1), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -2254,7 +2172,7 @@ module splat_evaluation (
             delay_25_from_0_pointer <= 5'd0;
             delay_37_from_0_pointer <= 6'd0;
             in_flight <= 37'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
@@ -2268,7 +2186,7 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             end_d17 <= delay_16_from_0_out;
             s1_chosen_d1 <= s1_chosen[22:0];
             shift_bits_d1 <= in_shift[2];
@@ -2414,44 +2332,44 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_9_from_0[delay_9_from_0_pointer] <= weight_out_both_d1_copy7;
-        if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        if (in_ready) delay_9_from_0[delay_9_from_0_pointer] <= weight_out_both_d1_copy7;
+        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_weight_out_unequal;
-        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_weight_out_unequal;
+        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy12;
-        if (queue_in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
+        if (in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy12;
+        if (in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_16_from_0[delay_16_from_0_pointer] <= in_end;
-        if (queue_in_ready) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+        if (in_ready) delay_16_from_0[delay_16_from_0_pointer] <= in_end;
+        if (in_ready) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_17_from_0[delay_17_from_0_pointer] <= in_last;
-        if (queue_in_ready) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        if (in_ready) delay_17_from_0[delay_17_from_0_pointer] <= in_last;
+        if (in_ready) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_17_from_0_out, end_d17};
         end
-        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_25_from_0[delay_25_from_0_pointer] <= weight_out_chosen_copy34;
-        if (queue_in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= weight_out_chosen_copy34;
+        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_37_from_0[delay_37_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
         end
-        if (queue_in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
+        if (in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
 
     wire _unused = &{
@@ -2870,8 +2788,7 @@ endmodule
 // slots = 2
 module splat_tile_cache (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in order of tiles.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
     input  wire in_end,  // Closes the frame.
     input  wire [25:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [25:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -2894,8 +2811,7 @@ module splat_tile_cache (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies with their slots.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [25:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -2919,18 +2835,15 @@ module splat_tile_cache (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire out_slot,  // Slot of the tile cache.
-    output reg  read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output reg  [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [39:0] data_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] data_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [39:0] data_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -2938,8 +2851,7 @@ module splat_tile_cache (
     output wire [39:0] write_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [39:0] write_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [39:0] write_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire pixel_valid,  // Pixels of a finished frame.
-    input  wire pixel_ready,
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
     output wire [11:0] pixel_tile,  // Tile index.
     output wire [5:0] pixel_pixel,  // Pixel of the tile.
@@ -3016,13 +2928,13 @@ module splat_tile_cache (
     wire stored_touched;
     reg touched;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [304:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [305:0] out_queue_out_data;
-    wire write_queue_in_ready, write_queue_out_valid;
+    wire write_queue_in_ready;
     wire [217:0] write_queue_out_data;
-    wire pixel_queue_in_ready, pixel_queue_out_valid;
+    wire pixel_queue_in_ready;
     wire [218:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
@@ -3085,8 +2997,8 @@ module splat_tile_cache (
     wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
     wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
     wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
-    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
+    wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
     wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
     wire looked_or_mode_is_4 = looked | mode_is_4;
@@ -3101,20 +3013,16 @@ module splat_tile_cache (
     wire send_and_copy_slot = send & copy_slot;
     wire retire_valid_and_retire_slot = retire_valid & retire_slot;
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
         out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
-    assign write_valid = write_queue_out_valid;
     assign {
         write_tile, write_pixel, write_weight, write_depth, write_attribute_0, write_attribute_1,
         write_attribute_2
     } = write_queue_out_data;
-    assign pixel_valid = pixel_queue_out_valid;
     assign {
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_attribute_0, pixel_attribute_1,
         pixel_attribute_2
@@ -3132,7 +3040,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w305 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3148,7 +3056,7 @@ module splat_tile_cache (
             head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
             head_attribute_2, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w218 write_queue (
@@ -3157,7 +3065,7 @@ module splat_tile_cache (
             evict_tile, held_pixel, drain_weight, drain_depth, drain_attribute_0, drain_attribute_1,
             drain_attribute_2
         }),
-        .out_valid(write_queue_out_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     stream_skid_w219 pixel_queue (
@@ -3168,7 +3076,7 @@ module splat_tile_cache (
             mode_is_5 ? drain_depth : data_depth, mode_is_5 ? drain_attribute_0 : data_attribute_0,
             mode_is_5 ? drain_attribute_1 : data_attribute_1, mode_is_5 ? drain_attribute_2 : data_attribute_2
         }),
-        .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -3406,8 +3314,7 @@ endmodule
 // levels = 10
 module splat_reorder (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
     input  wire [25:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [25:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -3430,8 +3337,7 @@ module splat_reorder (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies in order of tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [25:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -3462,9 +3368,9 @@ module splat_reorder (
     reg [11:0] stage_tile;
     wire [291:0] stage_payload;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [304:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [304:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
     wire [304:0] caught_out_data;
@@ -3487,8 +3393,6 @@ module splat_reorder (
     wire all_used = fresh[10];
     wire returned_out_ready = ~free_valid & all_used;
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
@@ -3501,7 +3405,7 @@ module splat_reorder (
     );
 
     stream_half_buffer_w305 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
@@ -3513,7 +3417,7 @@ module splat_reorder (
     stream_half_buffer_w305 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w305 caught (
@@ -3630,12 +3534,10 @@ endmodule
 // sequence_bits = 14
 module splat_heap (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Entries in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Entries in any order.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [9:0] in_pointer,  // Place of the payload.
-    output wire out_valid,  // Entries in order.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Entries in order.
     output wire [11:0] out_tile,  // Tile index.
     output wire [9:0] out_pointer,  // Place of the payload.
     output wire empty  // It holds no entry.
@@ -3649,7 +3551,7 @@ module splat_heap (
     reg lap, last_epoch;
     reg [11:0] newcomer_tile;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [21:0] out_queue_out_data;
     wire [36:0] stage_0_root;
     wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
@@ -3694,14 +3596,13 @@ module splat_heap (
     wire push_and_arrival_13 = push & arrival[13];
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {out_tile, out_pointer} = out_queue_out_data;
-    assign empty = ~(|count | out_queue_out_valid);
+    assign empty = ~(|count | out_valid);
 
     stream_skid_w22 out_queue (
         .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
         .in_data({stage_0_root[35:24], stage_0_root[9:0]}),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
@@ -4672,8 +4573,7 @@ endmodule
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Footprints with bounds in the image.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
     input  wire in_end,  // Closes the frame.
     input  wire [25:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [25:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -4695,8 +4595,7 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
-    output wire out_valid,  // Copies with bounds in their tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [25:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -4744,7 +4643,7 @@ module splat_splitter (
     reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [304:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
@@ -4756,7 +4655,6 @@ module splat_splitter (
     wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
@@ -4772,7 +4670,7 @@ module splat_splitter (
             right_most ? splat_right[2:0] : 3'd7, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
             (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4843,8 +4741,7 @@ endmodule
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in camera space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in camera space.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Center.
     input  wire [23:0] in_center_y,  // Center.
@@ -4867,8 +4764,7 @@ module splat_setup (
     input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
     input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
     input  wire [23:0] epsilon_bias,  // Constant part.
-    output wire out_valid,  // Footprints with bounds.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [25:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -5077,7 +4973,7 @@ module splat_setup (
     reg [23:0] to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [20:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
+    wire queue_in_ready;
     wire [316:0] queue_out_data;
     wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
@@ -5108,8 +5004,7 @@ module splat_setup (
     wire [11:0] attribute_2_d21 = delay_21_from_0_out[35:24];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
-    wire advance_next = ~advance_next_both;
+    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
@@ -5410,7 +5305,6 @@ module splat_setup (
     wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
 
     assign in_ready = load_0;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
@@ -5424,7 +5318,7 @@ module splat_setup (
             my_out, shift_d3, delay_7_from_1_out, depth_low_out_d5, depth_high_out_d4, attribute_0_d21,
             attribute_1_d21, attribute_2_d21, delay_5_from_3_out, last_x_d5, delay_5_from_0_out, last_y_d4
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
@@ -6982,8 +6876,7 @@ endmodule
 // initiation_interval = 8
 module splat_transform (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in world space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in world space.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Center.
     input  wire [23:0] in_center_y,  // Center.
@@ -7010,8 +6903,7 @@ module splat_transform (
     input  wire [23:0] m22,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [23:0] m23,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [23:0] near_plane,  // Near plane.
-    output wire out_valid,  // Splats in camera space.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Splats in camera space.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Center.
     output wire [23:0] out_center_y,  // Center.
@@ -7041,7 +6933,7 @@ module splat_transform (
     reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
     reg [3:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
+    wire queue_in_ready;
     wire [252:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
@@ -7052,8 +6944,7 @@ module splat_transform (
     wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
-    wire advance_next = ~advance_next_both;
+    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? center_z_d1 : tangent2_z_d1;
     wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
     wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent2_x_d1 : center_z_d1) : phase[0] ? center_x_d1 : in_center_x;
@@ -7078,7 +6969,6 @@ module splat_transform (
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
 
     assign in_ready = load_0;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
         out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2
@@ -7090,7 +6980,7 @@ module splat_transform (
             end_d4, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, v2_z_d1, attribute_0_d4,
             attribute_1_d4, attribute_2_d4
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (

@@ -7,8 +7,7 @@ module splat_top (
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [23:0] uniform_data,  // Its new value.
-    input  wire splat_valid,  // Splats in world space.
-    output wire splat_ready,
+    input  wire splat_valid, output wire splat_ready,  // Splats in world space.
     input  wire splat_end,  // Closes the frame.
     input  wire [23:0] splat_center_x,  // Center.
     input  wire [23:0] splat_center_y,  // Center.
@@ -33,11 +32,9 @@ module splat_top (
     input  wire [15:0] splat_attribute_11,  // Attributes.
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
-    output wire read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output wire [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -55,8 +52,7 @@ module splat_top (
     input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -76,8 +72,7 @@ module splat_top (
     output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire fragment_valid,  // Fragments of the image.
-    input  wire fragment_ready,
+    output wire fragment_valid, input wire fragment_ready,  // Fragments of the image.
     output wire fragment_end,  // Closes the frame.
     output wire [8:0] fragment_column,  // Column of the image.
     output wire [8:0] fragment_row,  // Row of the image.
@@ -108,7 +103,7 @@ module splat_top (
     reg [23:0] uniform_origin_x, uniform_origin_y, uniform_depth_a, uniform_depth_b, uniform_near_plane;
     reg [23:0] uniform_epsilon_scale, uniform_epsilon_bias, uniform_filter_radius, uniform_filter_scale;
 
-    wire transform_in_ready, transform_out_valid, transform_out_end;
+    wire transform_out_valid, transform_out_end;
     wire [23:0] transform_out_center_x, transform_out_center_y, transform_out_center_z, transform_out_tangent1_x;
     wire [23:0] transform_out_tangent1_y, transform_out_tangent1_z, transform_out_tangent2_x;
     wire [23:0] transform_out_tangent2_y, transform_out_tangent2_z;
@@ -158,19 +153,7 @@ module splat_top (
     wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
-    wire tile_cache_out_slot, tile_cache_read_valid;
-    wire [11:0] tile_cache_read_tile;
-    wire tile_cache_data_ready, tile_cache_write_valid;
-    wire [11:0] tile_cache_write_tile;
-    wire [5:0] tile_cache_write_pixel;
-    wire [27:0] tile_cache_write_weight;
-    wire [51:0] tile_cache_write_depth;
-    wire [15:0] tile_cache_write_peak, tile_cache_write_attribute_0, tile_cache_write_attribute_1;
-    wire [15:0] tile_cache_write_attribute_2, tile_cache_write_attribute_3, tile_cache_write_attribute_4;
-    wire [15:0] tile_cache_write_attribute_5, tile_cache_write_attribute_6, tile_cache_write_attribute_7;
-    wire [15:0] tile_cache_write_attribute_8, tile_cache_write_attribute_9, tile_cache_write_attribute_10;
-    wire [15:0] tile_cache_write_attribute_11, tile_cache_write_attribute_12, tile_cache_write_cardinal_0;
-    wire tile_cache_pixel_valid, tile_cache_pixel_end;
+    wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
@@ -202,8 +185,8 @@ module splat_top (
     wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
     wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
     wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
-    wire rasterizer_event_sample, rasterizer_event_starved, rasterizer_event_blocked, weighting_in_ready;
-    wire weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside, weighting_out_slot;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
@@ -221,68 +204,10 @@ module splat_top (
     wire [15:0] accumulator_drain_attribute_5, accumulator_drain_attribute_6, accumulator_drain_attribute_7;
     wire [15:0] accumulator_drain_attribute_8, accumulator_drain_attribute_9, accumulator_drain_attribute_10;
     wire [15:0] accumulator_drain_attribute_11, accumulator_drain_attribute_12, accumulator_drain_cardinal_0;
-    wire accumulator_event_accumulate, accumulator_event_hazard, accumulator_event_slot_wait;
-    wire normalizer_in_ready, normalizer_out_valid, normalizer_out_end;
-    wire [8:0] normalizer_out_column, normalizer_out_row;
-    wire [23:0] normalizer_out_depth;
-    wire [15:0] normalizer_out_attribute_0, normalizer_out_attribute_1, normalizer_out_attribute_2;
-    wire [15:0] normalizer_out_attribute_3, normalizer_out_attribute_4, normalizer_out_attribute_5;
-    wire [15:0] normalizer_out_attribute_6, normalizer_out_attribute_7, normalizer_out_attribute_8;
-    wire [15:0] normalizer_out_attribute_9, normalizer_out_attribute_10, normalizer_out_attribute_11;
-    wire [15:0] normalizer_out_attribute_12, normalizer_out_cardinal_0;
-
-    assign splat_ready = transform_in_ready;
-    assign read_valid = tile_cache_read_valid;
-    assign read_tile = tile_cache_read_tile;
-    assign data_ready = tile_cache_data_ready;
-    assign write_valid = tile_cache_write_valid;
-    assign write_tile = tile_cache_write_tile;
-    assign write_pixel = tile_cache_write_pixel;
-    assign write_weight = tile_cache_write_weight;
-    assign write_depth = tile_cache_write_depth;
-    assign write_peak = tile_cache_write_peak;
-    assign write_attribute_0 = tile_cache_write_attribute_0;
-    assign write_attribute_1 = tile_cache_write_attribute_1;
-    assign write_attribute_2 = tile_cache_write_attribute_2;
-    assign write_attribute_3 = tile_cache_write_attribute_3;
-    assign write_attribute_4 = tile_cache_write_attribute_4;
-    assign write_attribute_5 = tile_cache_write_attribute_5;
-    assign write_attribute_6 = tile_cache_write_attribute_6;
-    assign write_attribute_7 = tile_cache_write_attribute_7;
-    assign write_attribute_8 = tile_cache_write_attribute_8;
-    assign write_attribute_9 = tile_cache_write_attribute_9;
-    assign write_attribute_10 = tile_cache_write_attribute_10;
-    assign write_attribute_11 = tile_cache_write_attribute_11;
-    assign write_attribute_12 = tile_cache_write_attribute_12;
-    assign write_cardinal_0 = tile_cache_write_cardinal_0;
-    assign fragment_valid = normalizer_out_valid;
-    assign fragment_end = normalizer_out_end;
-    assign fragment_column = normalizer_out_column;
-    assign fragment_row = normalizer_out_row;
-    assign fragment_depth = normalizer_out_depth;
-    assign fragment_attribute_0 = normalizer_out_attribute_0;
-    assign fragment_attribute_1 = normalizer_out_attribute_1;
-    assign fragment_attribute_2 = normalizer_out_attribute_2;
-    assign fragment_attribute_3 = normalizer_out_attribute_3;
-    assign fragment_attribute_4 = normalizer_out_attribute_4;
-    assign fragment_attribute_5 = normalizer_out_attribute_5;
-    assign fragment_attribute_6 = normalizer_out_attribute_6;
-    assign fragment_attribute_7 = normalizer_out_attribute_7;
-    assign fragment_attribute_8 = normalizer_out_attribute_8;
-    assign fragment_attribute_9 = normalizer_out_attribute_9;
-    assign fragment_attribute_10 = normalizer_out_attribute_10;
-    assign fragment_attribute_11 = normalizer_out_attribute_11;
-    assign fragment_attribute_12 = normalizer_out_attribute_12;
-    assign fragment_cardinal_0 = normalizer_out_cardinal_0;
-    assign event_sample = rasterizer_event_sample;
-    assign event_starved = rasterizer_event_starved;
-    assign event_blocked = rasterizer_event_blocked;
-    assign event_accumulate = accumulator_event_accumulate;
-    assign event_hazard = accumulator_event_hazard;
-    assign event_slot_wait = accumulator_event_slot_wait;
+    wire normalizer_in_ready;
 
     splat_transform transform (
-        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(splat_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -441,27 +366,24 @@ module splat_top (
         .out_attribute_12(tile_cache_out_attribute_12), .out_cardinal_0(tile_cache_out_cardinal_0),
         .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
         .out_bottom(tile_cache_out_bottom), .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
-        .read_valid(tile_cache_read_valid), .read_ready(read_ready), .read_tile(tile_cache_read_tile),
-        .data_valid(data_valid), .data_ready(tile_cache_data_ready), .data_weight(data_weight),
-        .data_depth(data_depth), .data_peak(data_peak), .data_attribute_0(data_attribute_0),
-        .data_attribute_1(data_attribute_1), .data_attribute_2(data_attribute_2),
-        .data_attribute_3(data_attribute_3), .data_attribute_4(data_attribute_4),
-        .data_attribute_5(data_attribute_5), .data_attribute_6(data_attribute_6),
-        .data_attribute_7(data_attribute_7), .data_attribute_8(data_attribute_8),
-        .data_attribute_9(data_attribute_9), .data_attribute_10(data_attribute_10),
-        .data_attribute_11(data_attribute_11), .data_attribute_12(data_attribute_12),
-        .data_cardinal_0(data_cardinal_0),
-        .write_valid(tile_cache_write_valid), .write_ready(write_ready), .write_tile(tile_cache_write_tile),
-        .write_pixel(tile_cache_write_pixel), .write_weight(tile_cache_write_weight),
-        .write_depth(tile_cache_write_depth), .write_peak(tile_cache_write_peak),
-        .write_attribute_0(tile_cache_write_attribute_0), .write_attribute_1(tile_cache_write_attribute_1),
-        .write_attribute_2(tile_cache_write_attribute_2), .write_attribute_3(tile_cache_write_attribute_3),
-        .write_attribute_4(tile_cache_write_attribute_4), .write_attribute_5(tile_cache_write_attribute_5),
-        .write_attribute_6(tile_cache_write_attribute_6), .write_attribute_7(tile_cache_write_attribute_7),
-        .write_attribute_8(tile_cache_write_attribute_8), .write_attribute_9(tile_cache_write_attribute_9),
-        .write_attribute_10(tile_cache_write_attribute_10),
-        .write_attribute_11(tile_cache_write_attribute_11),
-        .write_attribute_12(tile_cache_write_attribute_12), .write_cardinal_0(tile_cache_write_cardinal_0),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
+        .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
+        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
+        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
+        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
+        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
+        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
+        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
+        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
+        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
+        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
         .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
         .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
         .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
@@ -529,8 +451,7 @@ module splat_top (
         .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
         .out_cardinal_0(rasterizer_out_cardinal_0),
         .filter_scale(uniform_filter_scale),
-        .event_sample(rasterizer_event_sample), .event_starved(rasterizer_event_starved),
-        .event_blocked(rasterizer_event_blocked)
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
     );
 
     splat_weighting weighting (
@@ -597,8 +518,7 @@ module splat_top (
         .drain_attribute_10(accumulator_drain_attribute_10),
         .drain_attribute_11(accumulator_drain_attribute_11),
         .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0),
-        .event_accumulate(accumulator_event_accumulate), .event_hazard(accumulator_event_hazard),
-        .event_slot_wait(accumulator_event_slot_wait)
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
@@ -613,15 +533,15 @@ module splat_top (
         .in_attribute_9(tile_cache_pixel_attribute_9), .in_attribute_10(tile_cache_pixel_attribute_10),
         .in_attribute_11(tile_cache_pixel_attribute_11), .in_attribute_12(tile_cache_pixel_attribute_12),
         .in_cardinal_0(tile_cache_pixel_cardinal_0),
-        .out_valid(normalizer_out_valid), .out_ready(fragment_ready), .out_end(normalizer_out_end),
-        .out_column(normalizer_out_column), .out_row(normalizer_out_row), .out_depth(normalizer_out_depth),
-        .out_attribute_0(normalizer_out_attribute_0), .out_attribute_1(normalizer_out_attribute_1),
-        .out_attribute_2(normalizer_out_attribute_2), .out_attribute_3(normalizer_out_attribute_3),
-        .out_attribute_4(normalizer_out_attribute_4), .out_attribute_5(normalizer_out_attribute_5),
-        .out_attribute_6(normalizer_out_attribute_6), .out_attribute_7(normalizer_out_attribute_7),
-        .out_attribute_8(normalizer_out_attribute_8), .out_attribute_9(normalizer_out_attribute_9),
-        .out_attribute_10(normalizer_out_attribute_10), .out_attribute_11(normalizer_out_attribute_11),
-        .out_attribute_12(normalizer_out_attribute_12), .out_cardinal_0(normalizer_out_cardinal_0)
+        .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
+        .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
+        .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
+        .out_attribute_2(fragment_attribute_2), .out_attribute_3(fragment_attribute_3),
+        .out_attribute_4(fragment_attribute_4), .out_attribute_5(fragment_attribute_5),
+        .out_attribute_6(fragment_attribute_6), .out_attribute_7(fragment_attribute_7),
+        .out_attribute_8(fragment_attribute_8), .out_attribute_9(fragment_attribute_9),
+        .out_attribute_10(fragment_attribute_10), .out_attribute_11(fragment_attribute_11),
+        .out_attribute_12(fragment_attribute_12), .out_cardinal_0(fragment_cardinal_0)
     );
 
     always @(posedge clk) begin
@@ -656,8 +576,7 @@ endmodule
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Pixels of a finished frame.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Pixels of a finished frame.
     input  wire in_end,  // Closes the frame.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [5:0] in_pixel,  // Pixel of the tile.
@@ -678,8 +597,7 @@ module splat_normalizer (
     input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire out_valid,  // Fragments.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Fragments.
     output wire out_end,  // Closes the frame.
     output wire [8:0] out_column,  // Column of the image.
     output wire [8:0] out_row,  // Row of the image.
@@ -710,7 +628,6 @@ module splat_normalizer (
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [29:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [266:0] queue_out_data;
     wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
@@ -748,8 +665,6 @@ module splat_normalizer (
     wire [15:0] attribute_11_d20 = delay_20_from_0_out[215:200];
     wire [15:0] attribute_12_d20 = delay_20_from_0_out[231:216];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
@@ -757,7 +672,7 @@ module splat_normalizer (
     } = queue_out_data;
 
     stream_skid_w267 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[29]), .in_ready(in_ready),
         .in_data({
             end_d30, column_out_d30, row_out_d30, depth_out_d3, convert_f24_ftz_f16_unit_y,
             convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y, convert_f24_ftz_f16_unit_copy4_y,
@@ -766,205 +681,192 @@ module splat_normalizer (
             convert_f24_ftz_f16_unit_copy11_y, convert_f24_ftz_f16_unit_copy12_y,
             convert_f24_ftz_f16_unit_copy13_y, cardinal_0_d30
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_f24ftz_w28_f16_unsigned to_float_u28q16_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w52_f40_unsigned to_float_u52q40_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(depth_float_d20), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
         .y(mul_f24_ftz_unit_copy13_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
+        .clk(clk), .enable(in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
         .y(mul_f24_ftz_unit_copy14_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(attribute_0_d20), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(attribute_1_d20), .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(attribute_2_d20), .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(attribute_3_d20), .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(attribute_4_d20), .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(attribute_5_d20), .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(attribute_6_d20), .y(convert_f16_f24_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(attribute_7_d20), .y(convert_f16_f24_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(attribute_8_d20), .y(convert_f16_f24_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
+        .clk(clk), .enable(in_ready), .a(attribute_9_d20), .y(convert_f16_f24_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(attribute_10_d20), .y(convert_f16_f24_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(attribute_11_d20), .y(convert_f16_f24_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f24ftz convert_f16_f24_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(attribute_12_d20), .y(convert_f16_f24_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
-        .y(convert_f24_ftz_f16_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y), .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
-        .y(convert_f24_ftz_f16_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy4_y), .y(convert_f24_ftz_f16_unit_copy3_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_y),
-        .y(convert_f24_ftz_f16_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy5_y), .y(convert_f24_ftz_f16_unit_copy4_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_y),
-        .y(convert_f24_ftz_f16_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy6_y), .y(convert_f24_ftz_f16_unit_copy5_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y),
-        .y(convert_f24_ftz_f16_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_y),
-        .y(convert_f24_ftz_f16_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy8_y), .y(convert_f24_ftz_f16_unit_copy7_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy9_y),
-        .y(convert_f24_ftz_f16_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy9_y), .y(convert_f24_ftz_f16_unit_copy8_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y),
-        .y(convert_f24_ftz_f16_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy10_y), .y(convert_f24_ftz_f16_unit_copy9_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy11_y),
-        .y(convert_f24_ftz_f16_unit_copy10_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy11_y), .y(convert_f24_ftz_f16_unit_copy10_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy12_y),
-        .y(convert_f24_ftz_f16_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy12_y), .y(convert_f24_ftz_f16_unit_copy11_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy13_y),
-        .y(convert_f24_ftz_f16_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy13_y), .y(convert_f24_ftz_f16_unit_copy12_y)
     );
 
     float_convert_s3_f24ftz_f16 convert_f24_ftz_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy14_y),
-        .y(convert_f24_ftz_f16_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy14_y), .y(convert_f24_ftz_f16_unit_copy13_y)
     );
 
     always @(posedge clk) begin
@@ -972,34 +874,34 @@ module splat_normalizer (
             delay_20_from_0_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
             in_flight <= 30'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
             in_flight <= {in_flight[28:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             depth_out_d1 <= mul_f24_ftz_unit_y;
             depth_out_d2 <= depth_out_d1;
             depth_out_d3 <= depth_out_d2;
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_20_from_0[delay_20_from_0_pointer] <= {
                 in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7,
                 in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1,
                 in_attribute_0, to_float_u52q40_f24_ftz_unit_y
             };
         end
-        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
         end
-        if (queue_in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        if (in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
 
     wire _unused = &{1'b0, in_peak};
@@ -1296,8 +1198,7 @@ endmodule
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples with their contributions.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples with their contributions.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1491,7 +1392,7 @@ module splat_accumulator (
     reg [15:0] stored_cardinal_0_4, stored_cardinal_0_5, stored_cardinal_0_6, stored_cardinal_0_7;
     reg [15:0] stored_cardinal_0_8;
 
-    wire places_in_ready, places_out_valid;
+    wire places_out_valid;
     wire [9:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [327:0] samples_out_data;
@@ -1596,7 +1497,6 @@ module splat_accumulator (
     wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
 
-    assign in_ready = places_in_ready;
     assign {
         drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
         drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6, drain_attribute_7,
@@ -1619,7 +1519,7 @@ module splat_accumulator (
     );
 
     stream_fifo_d64_w10_distributed places (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
@@ -2239,8 +2139,7 @@ endmodule
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2264,8 +2163,7 @@ module splat_weighting (
     input  wire [15:0] in_attribute_11,  // Attributes.
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
-    output wire out_valid,  // Samples with their contributions.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples with their contributions.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2309,7 +2207,6 @@ module splat_weighting (
     reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [337:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
@@ -2329,8 +2226,6 @@ module splat_weighting (
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
     wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
         out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4,
@@ -2339,7 +2234,7 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w338 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
         .in_data({
             end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
             depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
@@ -2347,79 +2242,78 @@ module splat_weighting (
             mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
             mul_f16_unit_copy13_y, cardinal_0_d10
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4),
-        .y(mul_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
     );
 
@@ -2428,14 +2322,14 @@ module splat_weighting (
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             in_flight <= {in_flight[8:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             weight_d8 <= weight_d7;
             weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
@@ -2494,14 +2388,14 @@ module splat_weighting (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        if (queue_in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
         end
-        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 endmodule
 
@@ -2702,8 +2596,7 @@ endmodule
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies with their slots.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies with their slots.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -2737,8 +2630,7 @@ module splat_rasterizer (
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire in_slot,  // Slot of the tile cache.
-    output wire out_valid,  // Samples.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2780,11 +2672,7 @@ module splat_rasterizer (
     reg [23:0] mx;  // `m` in x.
     reg [23:0] my;  // `m` in y.
 
-    wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
-    wire evaluation_out_inside, evaluation_out_slot;
-    wire [5:0] evaluation_out_pixel;
-    wire [15:0] evaluation_out_weight;
-    wire shared_in_ready, shared_out_valid;
+    wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [295:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
@@ -2796,13 +2684,6 @@ module splat_rasterizer (
     wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
-    assign out_valid = evaluation_out_valid;
-    assign out_end = evaluation_out_end;
-    assign out_last = evaluation_out_last;
-    assign out_inside = evaluation_out_inside;
-    assign out_slot = evaluation_out_slot;
-    assign out_pixel = evaluation_out_pixel;
-    assign out_weight = evaluation_out_weight;
     assign {
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
@@ -2815,9 +2696,8 @@ module splat_rasterizer (
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
         .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
         .filter_scale(filter_scale),
-        .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
-        .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
-        .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
+        .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
+        .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
     stream_fifo_d64_w296 shared (
@@ -2827,7 +2707,7 @@ module splat_rasterizer (
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
         }),
-        .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_valid(shared_out_valid), .out_ready(out_ready & out_valid & out_last),
         .out_data(shared_out_data)
     );
 
@@ -2993,7 +2873,6 @@ module splat_evaluation (
     reg not_end_d1;
     reg [57:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [25:0] queue_out_data;
     wire [23:0] to_float_u10q1_f24_ftz_unit_y, to_float_u10q1_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
@@ -3025,142 +2904,135 @@ module splat_evaluation (
     wire end_or_last_or_inside_out = end_d53 | last_or_inside_out;
     wire rho_squared_unequal = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[57] & end_or_last_or_inside_out_d5),
-        .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[57] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
         .in_data({end_d58, last_d58, inside_out_d5, slot_d58, pixel_out_d58, interpolate_8_8_16_unit_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_f24ftz_w10_f1_unsigned to_float_u10q1_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(minus_center_x_d3),
+        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(minus_center_y_d3),
+        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_y),
         .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}), .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}), .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy8_y),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
         .y(add_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(ay_d9), .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(ay_d9), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(ax_d9),
-        .y(mul_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(by_d9), .y(mul_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(by_d9), .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(bx_d9),
-        .y(mul_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(mx_d9), .y(mul_f24_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(mx_d9), .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(my_d9),
-        .y(mul_f24_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(my_d9), .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_y), .b(add_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy6_y), .b(add_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_div_s20_f24ftz div_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy9_y),
         .y(div_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(rho_squared_chosen), .b(delay_26_from_0_out),
-        .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(delay_26_from_0_out), .y(min_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w16_f16_unsigned to_fixed_f24_ftz_u16q16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
+        .clk(clk), .enable(in_ready), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -3176,7 +3048,7 @@ module splat_evaluation (
             delay_53_from_0_pointer <= 6'd0;
             delay_58_from_0_pointer <= 6'd0;
             in_flight <= 58'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
@@ -3191,7 +3063,7 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             end_d53 <= delay_52_from_0_out;
             minus_center_x_d1 <= {~in_center_x[23], in_center_x[22:0]};
             minus_center_x_d2 <= minus_center_x_d1;
@@ -3203,50 +3075,50 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_53_from_0_out, end_d53};
         end
-        if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
         end
-        if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
-        if (queue_in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
+        if (in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
-        if (queue_in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+        if (in_ready) delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
+        if (in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_24_from_0[delay_24_from_0_pointer] <= rho_squared_unequal;
-        if (queue_in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
+        if (in_ready) delay_24_from_0[delay_24_from_0_pointer] <= rho_squared_unequal;
+        if (in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
-        if (queue_in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
+        if (in_ready) delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
+        if (in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_52_from_0[delay_52_from_0_pointer] <= in_end;
-        if (queue_in_ready) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
+        if (in_ready) delay_52_from_0[delay_52_from_0_pointer] <= in_end;
+        if (in_ready) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_53_from_0[delay_53_from_0_pointer] <= in_last;
-        if (queue_in_ready) delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
+        if (in_ready) delay_53_from_0[delay_53_from_0_pointer] <= in_last;
+        if (in_ready) delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
         end
-        if (queue_in_ready) delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
+        if (in_ready) delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
     end
 endmodule
 
@@ -3968,8 +3840,7 @@ endmodule
 // slots = 2
 module splat_tile_cache (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in order of tiles.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -4002,8 +3873,7 @@ module splat_tile_cache (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies with their slots.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -4037,11 +3907,9 @@ module splat_tile_cache (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire out_slot,  // Slot of the tile cache.
-    output reg  read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output reg  [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -4059,8 +3927,7 @@ module splat_tile_cache (
     input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -4080,8 +3947,7 @@ module splat_tile_cache (
     output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire pixel_valid,  // Pixels of a finished frame.
-    input  wire pixel_ready,
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
     output wire [11:0] pixel_tile,  // Tile index.
     output wire [5:0] pixel_pixel,  // Pixel of the tile.
@@ -4204,13 +4070,13 @@ module splat_tile_cache (
     wire stored_touched;
     reg touched;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [536:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [537:0] out_queue_out_data;
-    wire write_queue_in_ready, write_queue_out_valid;
+    wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
-    wire pixel_queue_in_ready, pixel_queue_out_valid;
+    wire pixel_queue_in_ready;
     wire [338:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
@@ -4283,8 +4149,8 @@ module splat_tile_cache (
     wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
     wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
     wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
-    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
+    wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
     wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
     wire looked_or_mode_is_4 = looked | mode_is_4;
@@ -4299,8 +4165,6 @@ module splat_tile_cache (
     wire send_and_copy_slot = send & copy_slot;
     wire retire_valid_and_retire_slot = retire_valid & retire_slot;
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -4309,14 +4173,12 @@ module splat_tile_cache (
         out_right, out_top, out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
-    assign write_valid = write_queue_out_valid;
     assign {
         write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
         write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
         write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
         write_attribute_12, write_cardinal_0
     } = write_queue_out_data;
-    assign pixel_valid = pixel_queue_out_valid;
     assign {
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
         pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
@@ -4336,7 +4198,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w537 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4357,7 +4219,7 @@ module splat_tile_cache (
             head_attribute_12, head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile,
             copy_slot
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w338 write_queue (
@@ -4368,7 +4230,7 @@ module splat_tile_cache (
             drain_attribute_7, drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11,
             drain_attribute_12, drain_cardinal_0
         }),
-        .out_valid(write_queue_out_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     stream_skid_w339 pixel_queue (
@@ -4386,7 +4248,7 @@ module splat_tile_cache (
             mode_is_5 ? drain_attribute_11 : data_attribute_11,
             mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
         }),
-        .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4646,8 +4508,7 @@ endmodule
 // levels = 12
 module splat_reorder (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -4680,8 +4541,7 @@ module splat_reorder (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies in order of tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -4722,9 +4582,9 @@ module splat_reorder (
     reg [11:0] stage_tile;
     wire [523:0] stage_payload;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [536:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [536:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
     wire [536:0] caught_out_data;
@@ -4746,8 +4606,6 @@ module splat_reorder (
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -4762,7 +4620,7 @@ module splat_reorder (
     );
 
     stream_half_buffer_w537 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4776,7 +4634,7 @@ module splat_reorder (
     stream_half_buffer_w537 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w537 caught (
@@ -4893,12 +4751,10 @@ endmodule
 // sequence_bits = 16
 module splat_heap (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Entries in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Entries in any order.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [11:0] in_pointer,  // Place of the payload.
-    output wire out_valid,  // Entries in order.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Entries in order.
     output wire [11:0] out_tile,  // Tile index.
     output wire [11:0] out_pointer,  // Place of the payload.
     output wire empty  // It holds no entry.
@@ -4912,7 +4768,7 @@ module splat_heap (
     reg lap, last_epoch;
     reg [11:0] newcomer_tile;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [23:0] out_queue_out_data;
     wire [40:0] stage_0_root;
     wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
@@ -4966,14 +4822,13 @@ module splat_heap (
     wire push_and_arrival_15 = push & arrival[15];
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {out_tile, out_pointer} = out_queue_out_data;
-    assign empty = ~(|count | out_queue_out_valid);
+    assign empty = ~(|count | out_valid);
 
     stream_skid_w24 out_queue (
         .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
         .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
@@ -6272,8 +6127,7 @@ endmodule
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Footprints with bounds in the image.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [23:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -6305,8 +6159,7 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
-    output wire out_valid,  // Copies with bounds in their tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -6374,7 +6227,7 @@ module splat_splitter (
     reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [536:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
@@ -6386,7 +6239,6 @@ module splat_splitter (
     wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -6407,7 +6259,7 @@ module splat_splitter (
             (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
             (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -6488,8 +6340,7 @@ endmodule
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in camera space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in camera space.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Center.
     input  wire [23:0] in_center_y,  // Center.
@@ -6523,8 +6374,7 @@ module splat_setup (
     input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
     input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
     input  wire [23:0] epsilon_bias,  // Constant part.
-    output wire out_valid,  // Footprints with bounds.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [23:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -6626,7 +6476,7 @@ module splat_setup (
     reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
     reg [16:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
+    wire queue_in_ready;
     wire [548:0] queue_out_data;
     wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
@@ -6672,8 +6522,7 @@ module splat_setup (
     wire [8:0] first_y = first_y_chosen_d1[8:0];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
-    wire advance_next = ~advance_next_both;
+    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
@@ -6768,7 +6617,6 @@ module splat_setup (
     wire visible_unequal_copy2 = add_f24_ftz_unit_y[23] ^ visible_unequal;
 
     assign in_ready = load_0;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -6786,7 +6634,7 @@ module splat_setup (
             attribute_8_d17, attribute_9_d17, attribute_10_d17, attribute_11_d17, attribute_12_d17,
             cardinal_0_d17, first_x_d1, last_x_d1, first_y, last_y_d1
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
@@ -7979,8 +7827,7 @@ endmodule
 // initiation_interval = 8
 module splat_transform (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in world space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in world space.
     input  wire in_end,  // Closes the frame.
     input  wire [23:0] in_center_x,  // Center.
     input  wire [23:0] in_center_y,  // Center.
@@ -8018,8 +7865,7 @@ module splat_transform (
     input  wire [23:0] m22,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [23:0] m23,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [23:0] near_plane,  // Near plane.
-    output wire out_valid,  // Splats in camera space.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Splats in camera space.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Center.
     output wire [23:0] out_center_y,  // Center.
@@ -8088,7 +7934,7 @@ module splat_transform (
     reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
     reg [3:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
+    wire queue_in_ready;
     wire [440:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
@@ -8099,8 +7945,7 @@ module splat_transform (
     wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
-    wire advance_next = ~advance_next_both;
+    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
     wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
     wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
@@ -8177,7 +8022,6 @@ module splat_transform (
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
 
     assign in_ready = load_0;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
         out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -8193,7 +8037,7 @@ module splat_transform (
             attribute_5_out_d3, attribute_6_out_d3, attribute_7_out_d3, attribute_8_out_d3, attribute_9_out_d3,
             attribute_10_out_d3, attribute_11_out_d3, attribute_12_out_d3, cardinal_0_d4
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (

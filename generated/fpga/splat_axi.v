@@ -4,62 +4,51 @@
 // Surface-splat renderer on AXI.
 module splat_axi (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output wire s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output wire s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output wire s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output wire s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output wire [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
-    input  wire s_axis_splat_tvalid,  // Beats of packets.
-    output wire s_axis_splat_tready,
+    input  wire s_axis_splat_tvalid, output wire s_axis_splat_tready,  // Beats of packets.
     input  wire [63:0] s_axis_splat_tdata,  // Its bytes.
     input  wire s_axis_splat_tlast,  // Closes its packet.
-    output wire m_axis_fragment_tvalid,  // Beats of packets.
-    input  wire m_axis_fragment_tready,
+    output wire m_axis_fragment_tvalid, input wire m_axis_fragment_tready,  // Beats of packets.
     output wire [63:0] m_axis_fragment_tdata,  // Its bytes.
     output wire m_axis_fragment_tlast,  // Closes its packet.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output wire m_axi_awvalid,  // Bursts to be written.
-    input  wire m_axi_awready,
+    output wire m_axi_awvalid, input wire m_axi_awready,  // Bursts to be written.
     output wire [3:0] m_axi_awid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_awaddr,  // Its first byte.
     output wire [7:0] m_axi_awlen,  // One less than its beats.
     output wire [2:0] m_axi_awsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_awburst,  // How the address goes on: up, where it is 1.
-    output wire m_axi_wvalid,  // Their beats.
-    input  wire m_axi_wready,
+    output wire m_axi_wvalid, input wire m_axi_wready,  // Their beats.
     output wire [63:0] m_axi_wdata,  // Its bytes.
     output wire [7:0] m_axi_wstrb,  // A bit for each byte that is to be written.
     output wire m_axi_wlast,  // Closes its burst.
-    input  wire m_axi_bvalid,  // Answers to bursts.
-    output wire m_axi_bready,
+    input  wire m_axi_bvalid, output wire m_axi_bready,  // Answers to bursts.
     input  wire [3:0] m_axi_bid,  // The burst's identifier.
     input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
     output wire irq  // Interrupt.
 );
+    reg [11:0] awaited;
     reg has_ended;
 
     wire core_splat_ready, core_read_valid;
@@ -82,17 +71,11 @@ module splat_axi (
     wire [15:0] core_fragment_attribute_9, core_fragment_attribute_10, core_fragment_attribute_11;
     wire [15:0] core_fragment_attribute_12, core_fragment_cardinal_0;
     wire core_event_sample, core_event_starved, core_event_blocked, core_event_accumulate, core_event_hazard;
-    wire core_event_slot_wait, registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
-    wire [1:0] registers_s_axil_bresp;
-    wire registers_busy, registers_start, registers_core_reset, registers_uniform_valid;
+    wire core_event_slot_wait, registers_busy, registers_start, registers_core_reset, registers_aborts;
+    wire registers_uniform_valid;
     wire [4:0] registers_uniform_address;
-    wire [31:0] registers_uniform_data;
-    wire registers_s_axil_arready, registers_s_axil_rvalid;
-    wire [31:0] registers_s_axil_rdata;
-    wire [1:0] registers_s_axil_rresp;
-    wire registers_irq;
-    wire [31:0] registers_buffer_base;
-    wire splats_s_axis_tready, splats_out_valid, splats_out_end;
+    wire [31:0] registers_uniform_data, registers_buffer_base;
+    wire splats_out_valid, splats_out_end;
     wire [31:0] splats_out_center_x, splats_out_center_y, splats_out_center_z, splats_out_tangent1_x;
     wire [31:0] splats_out_tangent1_y, splats_out_tangent1_z, splats_out_tangent2_x, splats_out_tangent2_y;
     wire [31:0] splats_out_tangent2_z;
@@ -100,15 +83,8 @@ module splat_axi (
     wire [15:0] splats_out_attribute_4, splats_out_attribute_5, splats_out_attribute_6, splats_out_attribute_7;
     wire [15:0] splats_out_attribute_8, splats_out_attribute_9, splats_out_attribute_10, splats_out_attribute_11;
     wire [15:0] splats_out_attribute_12, splats_out_cardinal_0;
-    wire splats_taken, splats_refused, fragments_in_ready, fragments_m_axis_tvalid;
-    wire [63:0] fragments_m_axis_tdata;
-    wire fragments_m_axis_tlast, fragments_sent, fragments_idle, reads_request_ready, reads_m_axi_arvalid;
-    wire [3:0] reads_m_axi_arid;
-    wire [31:0] reads_m_axi_araddr;
-    wire [7:0] reads_m_axi_arlen;
-    wire [2:0] reads_m_axi_arsize;
-    wire [1:0] reads_m_axi_arburst;
-    wire reads_m_axi_rready, reads_record_valid;
+    wire splats_taken, splats_refused, fragments_in_ready, fragments_sent, fragments_idle, reads_request_ready;
+    wire reads_record_valid;
     wire [27:0] reads_record_weight;
     wire [51:0] reads_record_depth;
     wire [15:0] reads_record_peak, reads_record_attribute_0, reads_record_attribute_1, reads_record_attribute_2;
@@ -116,60 +92,24 @@ module splat_axi (
     wire [15:0] reads_record_attribute_6, reads_record_attribute_7, reads_record_attribute_8;
     wire [15:0] reads_record_attribute_9, reads_record_attribute_10, reads_record_attribute_11;
     wire [15:0] reads_record_attribute_12, reads_record_cardinal_0;
-    wire reads_error, reads_misplaced, writes_in_ready, writes_m_axi_awvalid;
-    wire [3:0] writes_m_axi_awid;
-    wire [31:0] writes_m_axi_awaddr;
-    wire [7:0] writes_m_axi_awlen;
-    wire [2:0] writes_m_axi_awsize;
-    wire [1:0] writes_m_axi_awburst;
-    wire writes_m_axi_wvalid;
-    wire [63:0] writes_m_axi_wdata;
-    wire [7:0] writes_m_axi_wstrb;
-    wire writes_m_axi_wlast, writes_m_axi_bready, writes_error, writes_idle;
+    wire reads_error, reads_misplaced, writes_in_ready, writes_error, writes_idle, early_end_aborts;
+    wire early_end_ended;
 
     wire core_read_ready = reads_request_ready & writes_idle;
     wire no_read = ~core_read_valid;
     wire core_write_ready = writes_in_ready & no_read;
     wire has_ended_both = has_ended & ~registers_start;
+    wire is_idle = fragments_idle & writes_idle;
     wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
+    wire reads_record_ready = core_data_ready | early_end_aborts;
     wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
+    wire quiet = is_idle & (awaited == 12'd0);
     wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
 
-    assign s_axil_awready = registers_s_axil_awready;
-    assign s_axil_wready = registers_s_axil_wready;
-    assign s_axil_bvalid = registers_s_axil_bvalid;
-    assign s_axil_bresp = registers_s_axil_bresp;
-    assign s_axil_arready = registers_s_axil_arready;
-    assign s_axil_rvalid = registers_s_axil_rvalid;
-    assign s_axil_rdata = registers_s_axil_rdata;
-    assign s_axil_rresp = registers_s_axil_rresp;
-    assign s_axis_splat_tready = splats_s_axis_tready;
-    assign m_axis_fragment_tvalid = fragments_m_axis_tvalid;
-    assign m_axis_fragment_tdata = fragments_m_axis_tdata;
-    assign m_axis_fragment_tlast = fragments_m_axis_tlast;
-    assign m_axi_arvalid = reads_m_axi_arvalid;
-    assign m_axi_arid = reads_m_axi_arid;
-    assign m_axi_araddr = reads_m_axi_araddr;
-    assign m_axi_arlen = reads_m_axi_arlen;
-    assign m_axi_arsize = reads_m_axi_arsize;
-    assign m_axi_arburst = reads_m_axi_arburst;
-    assign m_axi_rready = reads_m_axi_rready;
-    assign m_axi_awvalid = writes_m_axi_awvalid;
-    assign m_axi_awid = writes_m_axi_awid;
-    assign m_axi_awaddr = writes_m_axi_awaddr;
-    assign m_axi_awlen = writes_m_axi_awlen;
-    assign m_axi_awsize = writes_m_axi_awsize;
-    assign m_axi_awburst = writes_m_axi_awburst;
-    assign m_axi_wvalid = writes_m_axi_wvalid;
-    assign m_axi_wdata = writes_m_axi_wdata;
-    assign m_axi_wstrb = writes_m_axi_wstrb;
-    assign m_axi_wlast = writes_m_axi_wlast;
-    assign m_axi_bready = writes_m_axi_bready;
-    assign irq = registers_irq;
-
     splat_top core (
-        .clk(clk), .rst(rst | registers_core_reset), .uniform_valid(registers_uniform_valid),
-        .uniform_address(registers_uniform_address), .uniform_data(registers_uniform_data),
+        .clk(clk), .rst(rst | (registers_core_reset | early_end_aborts)),
+        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
+        .uniform_data(registers_uniform_data),
         .splat_valid(splats_out_valid), .splat_ready(core_splat_ready), .splat_end(splats_out_end),
         .splat_center_x(splats_out_center_x), .splat_center_y(splats_out_center_y),
         .splat_center_z(splats_out_center_z), .splat_tangent1_x(splats_out_tangent1_x),
@@ -220,14 +160,14 @@ module splat_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
-        .finished(has_ended_both & (fragments_idle & writes_idle)), .occupied(1'd0), .busy(registers_busy),
-        .start(registers_start), .core_reset(registers_core_reset),
-        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
-        .uniform_data(registers_uniform_data),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(s_axil_bresp),
+        .finished((has_ended_both & is_idle & ~early_end_aborts) | early_end_ended), .occupied(1'd0),
+        .busy(registers_busy), .start(registers_start), .core_reset(registers_core_reset),
+        .aborts(registers_aborts), .uniform_valid(registers_uniform_valid),
+        .uniform_address(registers_uniform_address), .uniform_data(registers_uniform_data),
         .burst_error(reads_misplaced),
         .packet_error(splats_refused),
         .memory_error({writes_error, reads_error}),
@@ -235,15 +175,15 @@ module splat_axi (
         .event_sample(core_event_sample), .event_starved(core_event_starved),
         .event_blocked(core_event_blocked), .event_accumulate(core_event_accumulate),
         .event_hazard(core_event_hazard), .event_slot_wait(core_event_slot_wait),
-        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq), .buffer_base(registers_buffer_base)
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(s_axil_arready), .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(s_axil_rvalid), .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata),
+        .s_axil_rresp(s_axil_rresp),
+        .irq(irq), .buffer_base(registers_buffer_base)
     );
 
     bus_packet_in splats (
-        .clk(clk), .rst(rst), .opens(registers_start), .s_axis_tvalid(s_axis_splat_tvalid),
-        .s_axis_tready(splats_s_axis_tready), .s_axis_tdata(s_axis_splat_tdata),
+        .clk(clk), .rst(rst | early_end_aborts), .opens(registers_start), .s_axis_tvalid(s_axis_splat_tvalid),
+        .s_axis_tready(s_axis_splat_tready), .s_axis_tdata(s_axis_splat_tdata),
         .s_axis_tlast(s_axis_splat_tlast),
         .out_valid(splats_out_valid), .out_ready(core_splat_ready), .out_end(splats_out_end),
         .out_center_x(splats_out_center_x), .out_center_y(splats_out_center_y),
@@ -272,20 +212,20 @@ module splat_axi (
         .in_attribute_9(core_fragment_attribute_9), .in_attribute_10(core_fragment_attribute_10),
         .in_attribute_11(core_fragment_attribute_11), .in_attribute_12(core_fragment_attribute_12),
         .in_cardinal_0(core_fragment_cardinal_0),
-        .m_axis_tvalid(fragments_m_axis_tvalid), .m_axis_tready(m_axis_fragment_tready),
-        .m_axis_tdata(fragments_m_axis_tdata), .m_axis_tlast(fragments_m_axis_tlast),
+        .m_axis_tvalid(m_axis_fragment_tvalid), .m_axis_tready(m_axis_fragment_tready),
+        .m_axis_tdata(m_axis_fragment_tdata), .m_axis_tlast(m_axis_fragment_tlast),
         .sent(fragments_sent), .idle(fragments_idle)
     );
 
     bus_reader reads (
         .clk(clk), .rst(rst), .request_valid(core_read_valid & writes_idle),
         .request_ready(reads_request_ready), .request_address(tile_address), .request_records(7'd64),
-        .m_axi_arvalid(reads_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(reads_m_axi_arid),
-        .m_axi_araddr(reads_m_axi_araddr), .m_axi_arlen(reads_m_axi_arlen), .m_axi_arsize(reads_m_axi_arsize),
-        .m_axi_arburst(reads_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(reads_m_axi_rready),
+        .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
+        .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
+        .m_axi_arburst(m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(m_axi_rready),
         .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata), .m_axi_rresp(m_axi_rresp),
         .m_axi_rlast(m_axi_rlast),
-        .record_valid(reads_record_valid), .record_ready(core_data_ready),
+        .record_valid(reads_record_valid), .record_ready(reads_record_ready),
         .record_weight(reads_record_weight), .record_depth(reads_record_depth),
         .record_peak(reads_record_peak), .record_attribute_0(reads_record_attribute_0),
         .record_attribute_1(reads_record_attribute_1), .record_attribute_2(reads_record_attribute_2),
@@ -309,21 +249,59 @@ module splat_axi (
         .in_attribute_9(core_write_attribute_9), .in_attribute_10(core_write_attribute_10),
         .in_attribute_11(core_write_attribute_11), .in_attribute_12(core_write_attribute_12),
         .in_cardinal_0(core_write_cardinal_0),
-        .m_axi_awvalid(writes_m_axi_awvalid), .m_axi_awready(m_axi_awready), .m_axi_awid(writes_m_axi_awid),
-        .m_axi_awaddr(writes_m_axi_awaddr), .m_axi_awlen(writes_m_axi_awlen),
-        .m_axi_awsize(writes_m_axi_awsize), .m_axi_awburst(writes_m_axi_awburst),
-        .m_axi_wvalid(writes_m_axi_wvalid), .m_axi_wready(m_axi_wready), .m_axi_wdata(writes_m_axi_wdata),
-        .m_axi_wstrb(writes_m_axi_wstrb), .m_axi_wlast(writes_m_axi_wlast), .m_axi_bvalid(m_axi_bvalid),
-        .m_axi_bready(writes_m_axi_bready), .m_axi_bid(m_axi_bid), .m_axi_bresp(m_axi_bresp),
+        .m_axi_awvalid(m_axi_awvalid), .m_axi_awready(m_axi_awready), .m_axi_awid(m_axi_awid),
+        .m_axi_awaddr(m_axi_awaddr), .m_axi_awlen(m_axi_awlen), .m_axi_awsize(m_axi_awsize),
+        .m_axi_awburst(m_axi_awburst), .m_axi_wvalid(m_axi_wvalid), .m_axi_wready(m_axi_wready),
+        .m_axi_wdata(m_axi_wdata), .m_axi_wstrb(m_axi_wstrb), .m_axi_wlast(m_axi_wlast),
+        .m_axi_bvalid(m_axi_bvalid), .m_axi_bready(m_axi_bready), .m_axi_bid(m_axi_bid),
+        .m_axi_bresp(m_axi_bresp),
         .error(writes_error), .idle(writes_idle)
     );
 
-    always @(posedge clk) begin
-        if (rst) has_ended <= 1'd0;
-        else has_ended <= is_last | has_ended_both;
-    end
+    bus_abort early_end (
+        .clk(clk), .rst(rst), .asked(registers_aborts), .running(registers_busy), .quiet(quiet),
+        .aborts(early_end_aborts), .ended(early_end_ended)
+    );
 
-    wire _unused = &{1'b0, registers_busy};
+    always @(posedge clk) begin
+        if (rst) begin
+            awaited <= 12'd0;
+            has_ended <= 1'd0;
+        end else begin
+            awaited <= (awaited + ((core_read_valid & core_read_ready) ? 12'd64 : 12'd0)) - {11'd0, reads_record_valid & reads_record_ready};
+            has_ended <= is_last | has_ended_both;
+        end
+    end
+endmodule
+
+// Ends a run early: keeps the core in reset until nothing is under way.
+module bus_abort (
+    input  wire clk, input wire rst,
+    input  wire asked,  // The run is to end.
+    input  wire running,  // A run is under way.
+    input  wire quiet,  // Nothing is under way on the buses.
+    output wire aborts,  // The core is to stay in reset, and what still comes to be dropped.
+    output reg  ended  // The run has ended.
+);
+    reg is_aborting;
+    reg [2:0] quiet_cycles;
+
+    wire counts = is_aborting & quiet;
+    wire ends = counts & (quiet_cycles == 3'd7);
+
+    assign aborts = is_aborting;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            is_aborting <= 1'd0;
+            quiet_cycles <= 3'd0;
+            ended <= 1'd0;
+        end else begin
+            is_aborting <= is_aborting ? ~ends : (asked & running);
+            quiet_cycles <= counts ? (quiet_cycles + 3'd1) : 3'd0;
+            ended <= ends;
+        end
+    end
 endmodule
 
 // Writes records to memory, each in a burst.
@@ -331,8 +309,7 @@ endmodule
 // width = 64
 module bus_writer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Records.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Records.
     input  wire [31:0] in_address,  // Where the record goes.
     input  wire [27:0] in_weight,  // Sum of weights.
     input  wire [51:0] in_depth,  // Sum of weighted depths.
@@ -351,20 +328,17 @@ module bus_writer (
     input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire m_axi_awvalid,  // Bursts to be written.
-    input  wire m_axi_awready,
+    output wire m_axi_awvalid, input wire m_axi_awready,  // Bursts to be written.
     output wire [3:0] m_axi_awid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_awaddr,  // Its first byte.
     output wire [7:0] m_axi_awlen,  // One less than its beats.
     output wire [2:0] m_axi_awsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_awburst,  // How the address goes on: up, where it is 1.
-    output wire m_axi_wvalid,  // Their beats.
-    input  wire m_axi_wready,
+    output wire m_axi_wvalid, input wire m_axi_wready,  // Their beats.
     output wire [63:0] m_axi_wdata,  // Its bytes.
     output wire [7:0] m_axi_wstrb,  // A bit for each byte that is to be written.
     output wire m_axi_wlast,  // Closes its burst.
-    input  wire m_axi_bvalid,  // Answers to bursts.
-    output wire m_axi_bready,
+    input  wire m_axi_bvalid, output wire m_axi_bready,  // Answers to bursts.
     input  wire [3:0] m_axi_bid,  // The burst's identifier.
     input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
     output reg  error,  // An answer was none of success.
@@ -379,9 +353,9 @@ module bus_writer (
     reg [15:0] held_attribute_5, held_attribute_6, held_attribute_7, held_attribute_8, held_attribute_9;
     reg [15:0] held_attribute_10, held_attribute_11, held_attribute_12, held_cardinal_0;
 
-    wire address_queue_in_ready, address_queue_out_valid;
+    wire address_queue_in_ready;
     wire [33:0] address_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
@@ -402,13 +376,11 @@ module bus_writer (
     wire [63:0] beat_queue_in_data_choice_4 = place[2] ? beat_queue_in_data_choice_2 : beat_queue_in_data_choice_3;
 
     assign in_ready = takes_record;
-    assign m_axi_awvalid = address_queue_out_valid;
     assign m_axi_awid = 4'd0;
     assign m_axi_awaddr = {address_queue_out_address, 6'd0};
     assign m_axi_awlen = address_queue_out_data[7:0];
     assign m_axi_awsize = 3'd3;
     assign m_axi_awburst = 2'd1;
-    assign m_axi_wvalid = beat_queue_out_valid;
     assign m_axi_wdata = beat_queue_out_data[64:1];
     assign m_axi_wstrb = 8'd255;
     assign m_axi_wlast = beat_queue_out_data[0];
@@ -418,13 +390,13 @@ module bus_writer (
     stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(accepted), .in_ready(address_queue_in_ready),
         .in_data({in_address[31:6], 8'd7}),
-        .out_valid(address_queue_out_valid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
+        .out_valid(m_axi_awvalid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
         .in_data({beat_queue_in_data_choice_4, at_end}),
-        .out_valid(beat_queue_out_valid), .out_ready(m_axi_wready), .out_data(beat_queue_out_data)
+        .out_valid(m_axi_wvalid), .out_ready(m_axi_wready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -471,25 +443,21 @@ endmodule
 // records = 64
 module bus_reader (
     input  wire clk, input wire rst,
-    input  wire request_valid,  // Records wanted.
-    output wire request_ready,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [6:0] request_records,  // How many.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output reg  record_valid,  // The records.
-    input  wire record_ready,
+    output reg  record_valid, input wire record_ready,  // The records.
     output wire [27:0] record_weight,  // Sum of weights.
     output wire [51:0] record_depth,  // Sum of weighted depths.
     output wire [15:0] record_peak,  // The largest single weight, with cardinal attributes only.
@@ -521,11 +489,11 @@ module bus_reader (
     reg [15:0] held_attribute_9_0, held_attribute_10_0, held_attribute_11_0, held_attribute_12_0, held_cardinal_0_0;
     reg is_wrong;
 
-    wire address_queue_in_ready, address_queue_out_valid;
+    wire address_queue_in_ready;
     wire [33:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
     wire [7:0] length_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
@@ -552,13 +520,11 @@ module bus_reader (
     wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
-    assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
     assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
-    assign m_axi_rready = beat_queue_in_ready;
     assign record_weight = held_weight_0;
     assign record_depth = held_depth_0;
     assign record_peak = held_peak_0;
@@ -580,7 +546,7 @@ module bus_reader (
     stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
-        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
@@ -590,7 +556,7 @@ module bus_reader (
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
         .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
@@ -610,7 +576,7 @@ module bus_reader (
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
-            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
             misplaced <= moves & (ends & is_wrong_either);
         end
     end
@@ -753,8 +719,7 @@ endmodule
 // width = 64
 module bus_packet_out (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Records.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Records.
     input  wire in_end,  // Closes the frame.
     input  wire [8:0] in_column,  // Column of the image.
     input  wire [8:0] in_row,  // Row of the image.
@@ -773,8 +738,7 @@ module bus_packet_out (
     input  wire [15:0] in_attribute_11,  // Attributes.
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
-    output wire m_axis_tvalid,  // Beats of packets.
-    input  wire m_axis_tready,
+    output wire m_axis_tvalid, input wire m_axis_tready,  // Beats of packets.
     output wire [63:0] m_axis_tdata,  // Its bytes.
     output wire m_axis_tlast,  // Closes its packet.
     output reg  sent,  // A packet was sent.
@@ -789,7 +753,7 @@ module bus_packet_out (
     reg [15:0] held_attribute_5, held_attribute_6, held_attribute_7, held_attribute_8, held_attribute_9;
     reg [15:0] held_attribute_10, held_attribute_11, held_attribute_12, held_cardinal_0;
 
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
@@ -805,14 +769,13 @@ module bus_packet_out (
     wire beat_queue_out_last = beat_queue_out_data[0];
 
     assign in_ready = takes_record;
-    assign m_axis_tvalid = beat_queue_out_valid;
     assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
-    assign idle = ~held & ~beat_queue_out_valid;
+    assign idle = ~held & ~m_axis_tvalid;
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
         .in_data({place[2] ? beat_queue_in_data_bits : beat_queue_in_data_choice_2, at_end}),
-        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
+        .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -822,7 +785,7 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            sent <= m_axis_tvalid & m_axis_tready & beat_queue_out_last;
             if (moves) place <= at_end ? 3'd0 : (place + 3'd1);
         end
     end
@@ -899,12 +862,10 @@ endmodule
 module bus_packet_in (
     input  wire clk, input wire rst,
     input  wire opens,  // A run begins.
-    input  wire s_axis_tvalid,  // Beats of packets.
-    output wire s_axis_tready,
+    input  wire s_axis_tvalid, output wire s_axis_tready,  // Beats of packets.
     input  wire [63:0] s_axis_tdata,  // Its bytes.
     input  wire s_axis_tlast,  // Closes its packet.
-    output reg  out_valid,  // The records of good packets.
-    input  wire out_ready,
+    output reg  out_valid, input wire out_ready,  // The records of good packets.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Center.
     output wire [31:0] out_center_y,  // Center.
@@ -1111,21 +1072,19 @@ endmodule
 // registers = 42
 module bus_registers (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output reg  s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output reg  s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
     input  wire finished,  // The run has ended.
     input  wire occupied,  // No run may begin.
     output reg  busy,  // A run is under way.
     output reg  start,  // A run begins.
     output reg  core_reset,  // The core is to be reset.
+    output reg  aborts,  // The run is to end.
     output reg  uniform_valid,  // Writes to the core's own registers.
     output reg  [4:0] uniform_address,  // The register's place among them.
     output reg  [31:0] uniform_data,  // Its new value.
@@ -1140,11 +1099,9 @@ module bus_registers (
     input  wire event_accumulate,  // The accumulator took a sample.
     input  wire event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
     input  wire event_slot_wait,  // The accumulator waited for its tile to arrive in the cache.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output reg  s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output reg  s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output reg  [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
     output reg  irq,  // Interrupt.
@@ -1329,6 +1286,7 @@ module bus_registers (
             start <= 1'd0;
             core_reset <= 1'd0;
             clear_errors <= 1'd0;
+            aborts <= 1'd0;
             done <= 1'd0;
             uniform_valid <= 1'd0;
             has_read_address <= 1'd0;
@@ -1376,6 +1334,7 @@ module bus_registers (
             start <= starts;
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
+            aborts <= commands & write_data[3];
             done <= ~starts & (done | (busy & finished));
             uniform_valid <= write_accepted & uniform_valid_both;
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);

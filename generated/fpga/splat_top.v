@@ -7,8 +7,7 @@ module splat_top (
     input  wire uniform_valid,  // Write to a uniform register, not while a frame is under way.
     input  wire [4:0] uniform_address,  // Its place among the frame's uniforms.
     input  wire [31:0] uniform_data,  // Its new value.
-    input  wire splat_valid,  // Splats in world space.
-    output wire splat_ready,
+    input  wire splat_valid, output wire splat_ready,  // Splats in world space.
     input  wire splat_end,  // Closes the frame.
     input  wire [31:0] splat_center_x,  // Center.
     input  wire [31:0] splat_center_y,  // Center.
@@ -33,11 +32,9 @@ module splat_top (
     input  wire [15:0] splat_attribute_11,  // Attributes.
     input  wire [15:0] splat_attribute_12,  // Attributes.
     input  wire [15:0] splat_cardinal_0,  // Attributes.
-    output wire read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output wire read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output wire [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -55,8 +52,7 @@ module splat_top (
     input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -76,8 +72,7 @@ module splat_top (
     output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire fragment_valid,  // Fragments of the image.
-    input  wire fragment_ready,
+    output wire fragment_valid, input wire fragment_ready,  // Fragments of the image.
     output wire fragment_end,  // Closes the frame.
     output wire [8:0] fragment_column,  // Column of the image.
     output wire [8:0] fragment_row,  // Row of the image.
@@ -108,7 +103,7 @@ module splat_top (
     reg [31:0] uniform_origin_x, uniform_origin_y, uniform_depth_a, uniform_depth_b, uniform_near_plane;
     reg [31:0] uniform_epsilon_scale, uniform_epsilon_bias, uniform_filter_radius, uniform_filter_scale;
 
-    wire transform_in_ready, transform_out_valid, transform_out_end;
+    wire transform_out_valid, transform_out_end;
     wire [31:0] transform_out_center_x, transform_out_center_y, transform_out_center_z, transform_out_tangent1_x;
     wire [31:0] transform_out_tangent1_y, transform_out_tangent1_z, transform_out_tangent2_x;
     wire [31:0] transform_out_tangent2_y, transform_out_tangent2_z;
@@ -159,18 +154,6 @@ module splat_top (
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
     wire [1:0] tile_cache_out_slot;
-    wire tile_cache_read_valid;
-    wire [11:0] tile_cache_read_tile;
-    wire tile_cache_data_ready, tile_cache_write_valid;
-    wire [11:0] tile_cache_write_tile;
-    wire [5:0] tile_cache_write_pixel;
-    wire [27:0] tile_cache_write_weight;
-    wire [51:0] tile_cache_write_depth;
-    wire [15:0] tile_cache_write_peak, tile_cache_write_attribute_0, tile_cache_write_attribute_1;
-    wire [15:0] tile_cache_write_attribute_2, tile_cache_write_attribute_3, tile_cache_write_attribute_4;
-    wire [15:0] tile_cache_write_attribute_5, tile_cache_write_attribute_6, tile_cache_write_attribute_7;
-    wire [15:0] tile_cache_write_attribute_8, tile_cache_write_attribute_9, tile_cache_write_attribute_10;
-    wire [15:0] tile_cache_write_attribute_11, tile_cache_write_attribute_12, tile_cache_write_cardinal_0;
     wire tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
@@ -206,8 +189,7 @@ module splat_top (
     wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
     wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
     wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
-    wire rasterizer_event_sample, rasterizer_event_starved, rasterizer_event_blocked, weighting_in_ready;
-    wire weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
+    wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
     wire [1:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
@@ -228,68 +210,10 @@ module splat_top (
     wire [15:0] accumulator_drain_attribute_5, accumulator_drain_attribute_6, accumulator_drain_attribute_7;
     wire [15:0] accumulator_drain_attribute_8, accumulator_drain_attribute_9, accumulator_drain_attribute_10;
     wire [15:0] accumulator_drain_attribute_11, accumulator_drain_attribute_12, accumulator_drain_cardinal_0;
-    wire accumulator_event_accumulate, accumulator_event_hazard, accumulator_event_slot_wait;
-    wire normalizer_in_ready, normalizer_out_valid, normalizer_out_end;
-    wire [8:0] normalizer_out_column, normalizer_out_row;
-    wire [31:0] normalizer_out_depth;
-    wire [15:0] normalizer_out_attribute_0, normalizer_out_attribute_1, normalizer_out_attribute_2;
-    wire [15:0] normalizer_out_attribute_3, normalizer_out_attribute_4, normalizer_out_attribute_5;
-    wire [15:0] normalizer_out_attribute_6, normalizer_out_attribute_7, normalizer_out_attribute_8;
-    wire [15:0] normalizer_out_attribute_9, normalizer_out_attribute_10, normalizer_out_attribute_11;
-    wire [15:0] normalizer_out_attribute_12, normalizer_out_cardinal_0;
-
-    assign splat_ready = transform_in_ready;
-    assign read_valid = tile_cache_read_valid;
-    assign read_tile = tile_cache_read_tile;
-    assign data_ready = tile_cache_data_ready;
-    assign write_valid = tile_cache_write_valid;
-    assign write_tile = tile_cache_write_tile;
-    assign write_pixel = tile_cache_write_pixel;
-    assign write_weight = tile_cache_write_weight;
-    assign write_depth = tile_cache_write_depth;
-    assign write_peak = tile_cache_write_peak;
-    assign write_attribute_0 = tile_cache_write_attribute_0;
-    assign write_attribute_1 = tile_cache_write_attribute_1;
-    assign write_attribute_2 = tile_cache_write_attribute_2;
-    assign write_attribute_3 = tile_cache_write_attribute_3;
-    assign write_attribute_4 = tile_cache_write_attribute_4;
-    assign write_attribute_5 = tile_cache_write_attribute_5;
-    assign write_attribute_6 = tile_cache_write_attribute_6;
-    assign write_attribute_7 = tile_cache_write_attribute_7;
-    assign write_attribute_8 = tile_cache_write_attribute_8;
-    assign write_attribute_9 = tile_cache_write_attribute_9;
-    assign write_attribute_10 = tile_cache_write_attribute_10;
-    assign write_attribute_11 = tile_cache_write_attribute_11;
-    assign write_attribute_12 = tile_cache_write_attribute_12;
-    assign write_cardinal_0 = tile_cache_write_cardinal_0;
-    assign fragment_valid = normalizer_out_valid;
-    assign fragment_end = normalizer_out_end;
-    assign fragment_column = normalizer_out_column;
-    assign fragment_row = normalizer_out_row;
-    assign fragment_depth = normalizer_out_depth;
-    assign fragment_attribute_0 = normalizer_out_attribute_0;
-    assign fragment_attribute_1 = normalizer_out_attribute_1;
-    assign fragment_attribute_2 = normalizer_out_attribute_2;
-    assign fragment_attribute_3 = normalizer_out_attribute_3;
-    assign fragment_attribute_4 = normalizer_out_attribute_4;
-    assign fragment_attribute_5 = normalizer_out_attribute_5;
-    assign fragment_attribute_6 = normalizer_out_attribute_6;
-    assign fragment_attribute_7 = normalizer_out_attribute_7;
-    assign fragment_attribute_8 = normalizer_out_attribute_8;
-    assign fragment_attribute_9 = normalizer_out_attribute_9;
-    assign fragment_attribute_10 = normalizer_out_attribute_10;
-    assign fragment_attribute_11 = normalizer_out_attribute_11;
-    assign fragment_attribute_12 = normalizer_out_attribute_12;
-    assign fragment_cardinal_0 = normalizer_out_cardinal_0;
-    assign event_sample = rasterizer_event_sample;
-    assign event_starved = rasterizer_event_starved;
-    assign event_blocked = rasterizer_event_blocked;
-    assign event_accumulate = accumulator_event_accumulate;
-    assign event_hazard = accumulator_event_hazard;
-    assign event_slot_wait = accumulator_event_slot_wait;
+    wire normalizer_in_ready;
 
     splat_transform transform (
-        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .clk(clk), .rst(rst), .in_valid(splat_valid), .in_ready(splat_ready), .in_end(splat_end),
         .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
         .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
         .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
@@ -448,27 +372,24 @@ module splat_top (
         .out_attribute_12(tile_cache_out_attribute_12), .out_cardinal_0(tile_cache_out_cardinal_0),
         .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
         .out_bottom(tile_cache_out_bottom), .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
-        .read_valid(tile_cache_read_valid), .read_ready(read_ready), .read_tile(tile_cache_read_tile),
-        .data_valid(data_valid), .data_ready(tile_cache_data_ready), .data_weight(data_weight),
-        .data_depth(data_depth), .data_peak(data_peak), .data_attribute_0(data_attribute_0),
-        .data_attribute_1(data_attribute_1), .data_attribute_2(data_attribute_2),
-        .data_attribute_3(data_attribute_3), .data_attribute_4(data_attribute_4),
-        .data_attribute_5(data_attribute_5), .data_attribute_6(data_attribute_6),
-        .data_attribute_7(data_attribute_7), .data_attribute_8(data_attribute_8),
-        .data_attribute_9(data_attribute_9), .data_attribute_10(data_attribute_10),
-        .data_attribute_11(data_attribute_11), .data_attribute_12(data_attribute_12),
-        .data_cardinal_0(data_cardinal_0),
-        .write_valid(tile_cache_write_valid), .write_ready(write_ready), .write_tile(tile_cache_write_tile),
-        .write_pixel(tile_cache_write_pixel), .write_weight(tile_cache_write_weight),
-        .write_depth(tile_cache_write_depth), .write_peak(tile_cache_write_peak),
-        .write_attribute_0(tile_cache_write_attribute_0), .write_attribute_1(tile_cache_write_attribute_1),
-        .write_attribute_2(tile_cache_write_attribute_2), .write_attribute_3(tile_cache_write_attribute_3),
-        .write_attribute_4(tile_cache_write_attribute_4), .write_attribute_5(tile_cache_write_attribute_5),
-        .write_attribute_6(tile_cache_write_attribute_6), .write_attribute_7(tile_cache_write_attribute_7),
-        .write_attribute_8(tile_cache_write_attribute_8), .write_attribute_9(tile_cache_write_attribute_9),
-        .write_attribute_10(tile_cache_write_attribute_10),
-        .write_attribute_11(tile_cache_write_attribute_11),
-        .write_attribute_12(tile_cache_write_attribute_12), .write_cardinal_0(tile_cache_write_cardinal_0),
+        .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
+        .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
+        .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2), .data_attribute_3(data_attribute_3),
+        .data_attribute_4(data_attribute_4), .data_attribute_5(data_attribute_5),
+        .data_attribute_6(data_attribute_6), .data_attribute_7(data_attribute_7),
+        .data_attribute_8(data_attribute_8), .data_attribute_9(data_attribute_9),
+        .data_attribute_10(data_attribute_10), .data_attribute_11(data_attribute_11),
+        .data_attribute_12(data_attribute_12), .data_cardinal_0(data_cardinal_0),
+        .write_valid(write_valid), .write_ready(write_ready), .write_tile(write_tile),
+        .write_pixel(write_pixel), .write_weight(write_weight), .write_depth(write_depth),
+        .write_peak(write_peak), .write_attribute_0(write_attribute_0), .write_attribute_1(write_attribute_1),
+        .write_attribute_2(write_attribute_2), .write_attribute_3(write_attribute_3),
+        .write_attribute_4(write_attribute_4), .write_attribute_5(write_attribute_5),
+        .write_attribute_6(write_attribute_6), .write_attribute_7(write_attribute_7),
+        .write_attribute_8(write_attribute_8), .write_attribute_9(write_attribute_9),
+        .write_attribute_10(write_attribute_10), .write_attribute_11(write_attribute_11),
+        .write_attribute_12(write_attribute_12), .write_cardinal_0(write_cardinal_0),
         .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
         .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
         .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
@@ -536,8 +457,7 @@ module splat_top (
         .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
         .out_cardinal_0(rasterizer_out_cardinal_0),
         .filter_scale(uniform_filter_scale),
-        .event_sample(rasterizer_event_sample), .event_starved(rasterizer_event_starved),
-        .event_blocked(rasterizer_event_blocked)
+        .event_sample(event_sample), .event_starved(event_starved), .event_blocked(event_blocked)
     );
 
     splat_weighting weighting (
@@ -604,8 +524,7 @@ module splat_top (
         .drain_attribute_10(accumulator_drain_attribute_10),
         .drain_attribute_11(accumulator_drain_attribute_11),
         .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0),
-        .event_accumulate(accumulator_event_accumulate), .event_hazard(accumulator_event_hazard),
-        .event_slot_wait(accumulator_event_slot_wait)
+        .event_accumulate(event_accumulate), .event_hazard(event_hazard), .event_slot_wait(event_slot_wait)
     );
 
     splat_normalizer normalizer (
@@ -620,15 +539,15 @@ module splat_top (
         .in_attribute_9(tile_cache_pixel_attribute_9), .in_attribute_10(tile_cache_pixel_attribute_10),
         .in_attribute_11(tile_cache_pixel_attribute_11), .in_attribute_12(tile_cache_pixel_attribute_12),
         .in_cardinal_0(tile_cache_pixel_cardinal_0),
-        .out_valid(normalizer_out_valid), .out_ready(fragment_ready), .out_end(normalizer_out_end),
-        .out_column(normalizer_out_column), .out_row(normalizer_out_row), .out_depth(normalizer_out_depth),
-        .out_attribute_0(normalizer_out_attribute_0), .out_attribute_1(normalizer_out_attribute_1),
-        .out_attribute_2(normalizer_out_attribute_2), .out_attribute_3(normalizer_out_attribute_3),
-        .out_attribute_4(normalizer_out_attribute_4), .out_attribute_5(normalizer_out_attribute_5),
-        .out_attribute_6(normalizer_out_attribute_6), .out_attribute_7(normalizer_out_attribute_7),
-        .out_attribute_8(normalizer_out_attribute_8), .out_attribute_9(normalizer_out_attribute_9),
-        .out_attribute_10(normalizer_out_attribute_10), .out_attribute_11(normalizer_out_attribute_11),
-        .out_attribute_12(normalizer_out_attribute_12), .out_cardinal_0(normalizer_out_cardinal_0)
+        .out_valid(fragment_valid), .out_ready(fragment_ready), .out_end(fragment_end),
+        .out_column(fragment_column), .out_row(fragment_row), .out_depth(fragment_depth),
+        .out_attribute_0(fragment_attribute_0), .out_attribute_1(fragment_attribute_1),
+        .out_attribute_2(fragment_attribute_2), .out_attribute_3(fragment_attribute_3),
+        .out_attribute_4(fragment_attribute_4), .out_attribute_5(fragment_attribute_5),
+        .out_attribute_6(fragment_attribute_6), .out_attribute_7(fragment_attribute_7),
+        .out_attribute_8(fragment_attribute_8), .out_attribute_9(fragment_attribute_9),
+        .out_attribute_10(fragment_attribute_10), .out_attribute_11(fragment_attribute_11),
+        .out_attribute_12(fragment_attribute_12), .out_cardinal_0(fragment_cardinal_0)
     );
 
     always @(posedge clk) begin
@@ -663,8 +582,7 @@ endmodule
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Pixels of a finished frame.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Pixels of a finished frame.
     input  wire in_end,  // Closes the frame.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [5:0] in_pixel,  // Pixel of the tile.
@@ -685,8 +603,7 @@ module splat_normalizer (
     input  wire [15:0] in_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] in_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire out_valid,  // Fragments.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Fragments.
     output wire out_end,  // Closes the frame.
     output wire [8:0] out_column,  // Column of the image.
     output wire [8:0] out_row,  // Row of the image.
@@ -717,7 +634,6 @@ module splat_normalizer (
     reg [31:0] depth_out_d1, depth_out_d2, depth_out_d3;
     reg [38:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [274:0] queue_out_data;
     wire [31:0] to_float_u28q16_f32_ftz_unit_y, recip_f32_ftz_unit_y, to_float_u52q40_f32_ftz_unit_y;
     wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y;
@@ -755,8 +671,6 @@ module splat_normalizer (
     wire [15:0] attribute_11_d28 = delay_28_from_0_out[223:208];
     wire [15:0] attribute_12_d28 = delay_28_from_0_out[239:224];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
@@ -764,7 +678,7 @@ module splat_normalizer (
     } = queue_out_data;
 
     stream_skid_w275 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[38]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[38]), .in_ready(in_ready),
         .in_data({
             end_d39, column_out_d39, row_out_d39, depth_out_d3, convert_f32_ftz_f16_unit_y,
             convert_f32_ftz_f16_unit_copy2_y, convert_f32_ftz_f16_unit_copy3_y, convert_f32_ftz_f16_unit_copy4_y,
@@ -773,205 +687,192 @@ module splat_normalizer (
             convert_f32_ftz_f16_unit_copy11_y, convert_f32_ftz_f16_unit_copy12_y,
             convert_f32_ftz_f16_unit_copy13_y, cardinal_0_d39
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_f32ftz_w28_f16_unsigned to_float_u28q16_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u28q16_f32_ftz_unit_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f32_ftz_unit_y), .y(recip_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_float_u28q16_f32_ftz_unit_y), .y(recip_f32_ftz_unit_y)
     );
 
     float_from_fixed_s3_f32ftz_w52_f40_unsigned to_float_u52q40_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_depth), .y(to_float_u52q40_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(depth_float_d28),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(depth_float_d28), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy4_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy5_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy9_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy10_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy10_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(in_ready), .a(recip_f32_ftz_unit_y), .b(convert_f16_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_0_d28), .y(convert_f16_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(attribute_0_d28), .y(convert_f16_f32_ftz_unit_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_1_d28), .y(convert_f16_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(attribute_1_d28), .y(convert_f16_f32_ftz_unit_copy2_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_2_d28), .y(convert_f16_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(attribute_2_d28), .y(convert_f16_f32_ftz_unit_copy3_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_3_d28), .y(convert_f16_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(attribute_3_d28), .y(convert_f16_f32_ftz_unit_copy4_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_4_d28), .y(convert_f16_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(attribute_4_d28), .y(convert_f16_f32_ftz_unit_copy5_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_5_d28), .y(convert_f16_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(attribute_5_d28), .y(convert_f16_f32_ftz_unit_copy6_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_6_d28), .y(convert_f16_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(attribute_6_d28), .y(convert_f16_f32_ftz_unit_copy7_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_7_d28), .y(convert_f16_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(attribute_7_d28), .y(convert_f16_f32_ftz_unit_copy8_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_8_d28), .y(convert_f16_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(attribute_8_d28), .y(convert_f16_f32_ftz_unit_copy9_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_9_d28), .y(convert_f16_f32_ftz_unit_copy10_y)
+        .clk(clk), .enable(in_ready), .a(attribute_9_d28), .y(convert_f16_f32_ftz_unit_copy10_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_10_d28), .y(convert_f16_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(attribute_10_d28), .y(convert_f16_f32_ftz_unit_copy11_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_11_d28), .y(convert_f16_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(attribute_11_d28), .y(convert_f16_f32_ftz_unit_copy12_y)
     );
 
     float_convert_s3_f16_f32ftz convert_f16_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(attribute_12_d28), .y(convert_f16_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(attribute_12_d28), .y(convert_f16_f32_ftz_unit_copy13_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_y), .y(convert_f32_ftz_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy2_y), .y(convert_f32_ftz_f16_unit_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_y),
-        .y(convert_f32_ftz_f16_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy3_y), .y(convert_f32_ftz_f16_unit_copy2_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y),
-        .y(convert_f32_ftz_f16_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .y(convert_f32_ftz_f16_unit_copy3_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy5_y),
-        .y(convert_f32_ftz_f16_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy5_y), .y(convert_f32_ftz_f16_unit_copy4_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy6_y),
-        .y(convert_f32_ftz_f16_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy6_y), .y(convert_f32_ftz_f16_unit_copy5_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y),
-        .y(convert_f32_ftz_f16_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .y(convert_f32_ftz_f16_unit_copy6_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy8_y),
-        .y(convert_f32_ftz_f16_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy8_y), .y(convert_f32_ftz_f16_unit_copy7_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy9_y),
-        .y(convert_f32_ftz_f16_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy9_y), .y(convert_f32_ftz_f16_unit_copy8_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y),
-        .y(convert_f32_ftz_f16_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .y(convert_f32_ftz_f16_unit_copy9_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy11_y),
-        .y(convert_f32_ftz_f16_unit_copy10_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy11_y), .y(convert_f32_ftz_f16_unit_copy10_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy12_y),
-        .y(convert_f32_ftz_f16_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy12_y), .y(convert_f32_ftz_f16_unit_copy11_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_y),
-        .y(convert_f32_ftz_f16_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy13_y), .y(convert_f32_ftz_f16_unit_copy12_y)
     );
 
     float_convert_s3_f32ftz_f16 convert_f32_ftz_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy14_y),
-        .y(convert_f32_ftz_f16_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy14_y), .y(convert_f32_ftz_f16_unit_copy13_y)
     );
 
     always @(posedge clk) begin
@@ -979,34 +880,34 @@ module splat_normalizer (
             delay_28_from_0_pointer <= 5'd0;
             delay_39_from_0_pointer <= 6'd0;
             in_flight <= 39'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
             delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
             in_flight <= {in_flight[37:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             depth_out_d1 <= mul_f32_ftz_unit_y;
             depth_out_d2 <= depth_out_d1;
             depth_out_d3 <= depth_out_d2;
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_28_from_0[delay_28_from_0_pointer] <= {
                 in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7,
                 in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1,
                 in_attribute_0, to_float_u52q40_f32_ftz_unit_y
             };
         end
-        if (queue_in_ready) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        if (in_ready) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_39_from_0[delay_39_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
         end
-        if (queue_in_ready) delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
+        if (in_ready) delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
     end
 
     wire _unused = &{1'b0, in_peak};
@@ -1303,8 +1204,7 @@ endmodule
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples with their contributions.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples with their contributions.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -1510,7 +1410,7 @@ module splat_accumulator (
     reg [15:0] stored_cardinal_0_4, stored_cardinal_0_5, stored_cardinal_0_6, stored_cardinal_0_7;
     reg [15:0] stored_cardinal_0_8;
 
-    wire places_in_ready, places_out_valid;
+    wire places_out_valid;
     wire [10:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [327:0] samples_out_data;
@@ -1619,7 +1519,6 @@ module splat_accumulator (
     wire [3:0] arrived_shifted = slot_ready >> places_out_slot;
     wire [3:0] arrived_shifted_2 = slot_ready >> head_slot;
 
-    assign in_ready = places_in_ready;
     assign {
         drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
         drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6, drain_attribute_7,
@@ -1660,7 +1559,7 @@ module splat_accumulator (
     );
 
     stream_fifo_d64_w11_distributed places (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(places_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
@@ -2282,8 +2181,7 @@ endmodule
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Samples.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Samples.
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2307,8 +2205,7 @@ module splat_weighting (
     input  wire [15:0] in_attribute_11,  // Attributes.
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
-    output wire out_valid,  // Samples with their contributions.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples with their contributions.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2352,7 +2249,6 @@ module splat_weighting (
     reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [338:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
@@ -2372,8 +2268,6 @@ module splat_weighting (
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
     wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
         out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4,
@@ -2382,7 +2276,7 @@ module splat_weighting (
     } = queue_out_data;
 
     stream_skid_w339 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
         .in_data({
             end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
             depth_high_d10, mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y,
@@ -2390,79 +2284,78 @@ module splat_weighting (
             mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y,
             mul_f16_unit_copy13_y, cardinal_0_d10
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s4_f16_w16_f16_unsigned to_float_u16q16_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
     integer_mul_s3_u16_u24 mul_u16_u24_unit (
-        .clk(clk), .enable(queue_in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(in_ready), .a(weight_d7), .b(depth_d7), .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4),
-        .y(mul_f16_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_0_d4), .y(mul_f16_unit_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_1_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_2_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_3_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_4_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_5_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_6_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_7_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_8_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_9_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_10_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_11_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_f16 mul_f16_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
+        .clk(clk), .enable(in_ready), .a(to_float_u16q16_f16_unit_y), .b(attribute_12_d4),
         .y(mul_f16_unit_copy13_y)
     );
 
@@ -2471,14 +2364,14 @@ module splat_weighting (
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             in_flight <= {in_flight[8:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             weight_d8 <= weight_d7;
             weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
@@ -2537,14 +2430,14 @@ module splat_weighting (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        if (queue_in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
         end
-        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 endmodule
 
@@ -2745,8 +2638,7 @@ endmodule
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies with their slots.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies with their slots.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -2780,8 +2672,7 @@ module splat_rasterizer (
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire [1:0] in_slot,  // Slot of the tile cache.
-    output wire out_valid,  // Samples.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
@@ -2824,12 +2715,7 @@ module splat_rasterizer (
     reg [31:0] mx;  // `m` in x.
     reg [31:0] my;  // `m` in y.
 
-    wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
-    wire evaluation_out_inside;
-    wire [1:0] evaluation_out_slot;
-    wire [5:0] evaluation_out_pixel;
-    wire [15:0] evaluation_out_weight;
-    wire shared_in_ready, shared_out_valid;
+    wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [295:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
@@ -2841,13 +2727,6 @@ module splat_rasterizer (
     wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
 
     assign in_ready = take;
-    assign out_valid = evaluation_out_valid;
-    assign out_end = evaluation_out_end;
-    assign out_last = evaluation_out_last;
-    assign out_inside = evaluation_out_inside;
-    assign out_slot = evaluation_out_slot;
-    assign out_pixel = evaluation_out_pixel;
-    assign out_weight = evaluation_out_weight;
     assign {
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
         out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
@@ -2860,9 +2739,8 @@ module splat_rasterizer (
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
         .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
         .filter_scale(filter_scale),
-        .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
-        .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
-        .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
+        .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
+        .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
     );
 
     stream_fifo_d64_w296 shared (
@@ -2872,7 +2750,7 @@ module splat_rasterizer (
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
         }),
-        .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_valid(shared_out_valid), .out_ready(out_ready & out_valid & out_last),
         .out_data(shared_out_data)
     );
 
@@ -3036,7 +2914,6 @@ module splat_evaluation (
     reg not_end_d1;
     reg [67:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [26:0] queue_out_data;
     wire [31:0] to_float_u10q1_f32_ftz_unit_y, to_float_u10q1_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y;
     wire [31:0] add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
@@ -3068,148 +2945,141 @@ module splat_evaluation (
     wire end_or_last_or_inside_out = end_d63 | last_or_inside_out;
     wire rho_squared_unequal = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     memory_1w1r #(.WIDTH(8), .DEPTH(67)) delay_68_from_0 (
-        .clk(clk), .write(queue_in_ready), .write_address(delay_68_from_0_pointer),
+        .clk(clk), .write(in_ready), .write_address(delay_68_from_0_pointer),
         .write_data({in_row[2:0], in_column[2:0], in_slot}),
-        .read(queue_in_ready), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
+        .read(in_ready), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
     );
 
     stream_skid_w27 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[67] & end_or_last_or_inside_out_d5),
-        .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[67] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
         .in_data({end_d68, last_d68, inside_out_d5, slot_d68, pixel_out_d68, interpolate_8_8_16_unit_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_y)
     );
 
     float_from_fixed_s3_f32ftz_w10_f1_unsigned to_float_u10q1_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(minus_center_x_d3),
+        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f32_ftz_unit_y), .b(minus_center_x_d3),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(minus_center_y_d3),
+        .clk(clk), .enable(in_ready), .a(to_float_u10q1_f32_ftz_unit_copy2_y), .b(minus_center_y_d3),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y),
         .b({~mul_f32_ftz_unit_copy2_y[31], mul_f32_ftz_unit_copy2_y[30:0]}), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy3_y),
         .b({~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]}), .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(delay_14_from_0_out), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(delay_14_from_0_out), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(ay_d9), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(ay_d9), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(ax_d9),
-        .y(mul_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(ax_d9), .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(by_d9), .y(mul_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(by_d9), .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(bx_d9),
-        .y(mul_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(bx_d9), .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(mx_d9), .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(mx_d9), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(my_d9),
-        .y(mul_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(my_d9), .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(add_f32_ftz_unit_copy4_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(add_f32_ftz_unit_copy4_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(filter_scale),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_div_s28_f32ftz div_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy9_y),
         .y(div_f32_ftz_unit_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(rho_squared_chosen), .b(delay_34_from_0_out),
-        .y(min_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(delay_34_from_0_out), .y(min_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_y), .b(32'h3f800000), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(min_f32_ftz_unit_y), .b(32'h3f800000), .y(lt_f32_ftz_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w16_f16_unsigned to_fixed_f32_ftz_u16q16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_y), .y(to_fixed_f32_ftz_u16q16_unit_y)
+        .clk(clk), .enable(in_ready), .a(min_f32_ftz_unit_y), .y(to_fixed_f32_ftz_u16q16_unit_y)
     );
 
     float_table_s4_i8_f8 interpolate_8_8_16_unit (
-        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(in_ready), .a(to_fixed_f32_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -3225,7 +3095,7 @@ module splat_evaluation (
             delay_63_from_0_pointer <= 6'd0;
             delay_68_from_0_pointer <= 7'd0;
             in_flight <= 68'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
@@ -3240,7 +3110,7 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             end_d63 <= delay_62_from_0_out;
             minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
             minus_center_x_d2 <= minus_center_x_d1;
@@ -3252,44 +3122,44 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_63_from_0_out, end_d63};
         end
-        if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
         end
-        if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_14_from_0_out[31];
-        if (queue_in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        if (in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_14_from_0_out[31];
+        if (in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
-        if (queue_in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        if (in_ready) delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
+        if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_33_from_0[delay_33_from_0_pointer] <= rho_squared_unequal;
-        if (queue_in_ready) delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
+        if (in_ready) delay_33_from_0[delay_33_from_0_pointer] <= rho_squared_unequal;
+        if (in_ready) delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_34_from_0[delay_34_from_0_pointer] <= mul_f32_ftz_unit_copy12_y;
-        if (queue_in_ready) delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
+        if (in_ready) delay_34_from_0[delay_34_from_0_pointer] <= mul_f32_ftz_unit_copy12_y;
+        if (in_ready) delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_62_from_0[delay_62_from_0_pointer] <= in_end;
-        if (queue_in_ready) delay_62_from_0_out <= delay_62_from_0[delay_62_from_0_pointer];
+        if (in_ready) delay_62_from_0[delay_62_from_0_pointer] <= in_end;
+        if (in_ready) delay_62_from_0_out <= delay_62_from_0[delay_62_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_63_from_0[delay_63_from_0_pointer] <= in_last;
-        if (queue_in_ready) delay_63_from_0_out <= delay_63_from_0[delay_63_from_0_pointer];
+        if (in_ready) delay_63_from_0[delay_63_from_0_pointer] <= in_last;
+        if (in_ready) delay_63_from_0_out <= delay_63_from_0[delay_63_from_0_pointer];
     end
 endmodule
 
@@ -4124,8 +3994,7 @@ endmodule
 // slots = 4
 module splat_tile_cache (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in order of tiles.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -4158,8 +4027,7 @@ module splat_tile_cache (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies with their slots.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -4193,11 +4061,9 @@ module splat_tile_cache (
     output wire [2:0] out_bottom,  // Last row.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire [1:0] out_slot,  // Slot of the tile cache.
-    output reg  read_valid,  // Request for the pixels of a tile.
-    input  wire read_ready,
+    output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output reg  [11:0] read_tile,  // Tile index.
-    input  wire data_valid,  // Pixels of the tiles requested, in pixel order.
-    output wire data_ready,
+    input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
     input  wire [27:0] data_weight,  // Sum of weights.
     input  wire [51:0] data_depth,  // Sum of weighted depths.
     input  wire [15:0] data_peak,  // The largest single weight, with cardinal attributes only.
@@ -4215,8 +4081,7 @@ module splat_tile_cache (
     input  wire [15:0] data_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] data_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire write_valid,  // Pixels of evicted tiles.
-    input  wire write_ready,
+    output wire write_valid, input wire write_ready,  // Pixels of evicted tiles.
     output wire [11:0] write_tile,  // Tile index.
     output wire [5:0] write_pixel,  // Pixel of the tile.
     output wire [27:0] write_weight,  // Sum of weights.
@@ -4236,8 +4101,7 @@ module splat_tile_cache (
     output wire [15:0] write_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] write_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire pixel_valid,  // Pixels of a finished frame.
-    input  wire pixel_ready,
+    output wire pixel_valid, input wire pixel_ready,  // Pixels of a finished frame.
     output wire pixel_end,  // Closes the frame.
     output wire [11:0] pixel_tile,  // Tile index.
     output wire [5:0] pixel_pixel,  // Pixel of the tile.
@@ -4370,13 +4234,13 @@ module splat_tile_cache (
     wire stored_touched;
     reg touched;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [608:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [610:0] out_queue_out_data;
-    wire write_queue_in_ready, write_queue_out_valid;
+    wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
-    wire pixel_queue_in_ready, pixel_queue_out_valid;
+    wire pixel_queue_in_ready;
     wire [338:0] pixel_queue_out_data;
 
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
@@ -4469,8 +4333,8 @@ module splat_tile_cache (
     wire next_is_3 = next == 2'd3;
     wire start_either_2 = start_either | (next_is_2 & (in_flight_2 == 8'd0)) | (next_is_3 & (in_flight_3 == 8'd0));
     wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_2));
-    wire done_either = ~evict | (drained[6] & ~(showing_or_holding | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & done_either));
+    wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
+    wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
     wire [1:0] sent_slot_either = ({2{resident_1_and_is_of_code_1}} & 2'd1) | ({2{resident_2_and_is_of_code_2}} & 2'd2);
     wire [1:0] sent_slot = sent_slot_either | {2{resident_3_and_is_of_code_3}};
@@ -4497,8 +4361,6 @@ module splat_tile_cache (
     wire in_flight_3_both = send & (copy_slot == 2'd3);
     wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -4507,14 +4369,12 @@ module splat_tile_cache (
         out_right, out_top, out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
-    assign write_valid = write_queue_out_valid;
     assign {
         write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
         write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
         write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
         write_attribute_12, write_cardinal_0
     } = write_queue_out_data;
-    assign pixel_valid = pixel_queue_out_valid;
     assign {
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
         pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
@@ -4534,7 +4394,7 @@ module splat_tile_cache (
     );
 
     stream_half_buffer_w609 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -4555,7 +4415,7 @@ module splat_tile_cache (
             head_attribute_12, head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile,
             copy_slot
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w338 write_queue (
@@ -4566,7 +4426,7 @@ module splat_tile_cache (
             drain_attribute_7, drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11,
             drain_attribute_12, drain_cardinal_0
         }),
-        .out_valid(write_queue_out_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
+        .out_valid(write_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     stream_skid_w339 pixel_queue (
@@ -4584,7 +4444,7 @@ module splat_tile_cache (
             mode_is_5 ? drain_attribute_11 : data_attribute_11,
             mode_is_5 ? drain_attribute_12 : data_attribute_12, mode_is_5 ? drain_cardinal_0 : data_cardinal_0
         }),
-        .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
+        .out_valid(pixel_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4874,8 +4734,7 @@ endmodule
 // levels = 12
 module splat_reorder (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Copies in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Copies in any order.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -4908,8 +4767,7 @@ module splat_reorder (
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    output wire out_valid,  // Copies in order of tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -4950,9 +4808,9 @@ module splat_reorder (
     reg [11:0] stage_tile;
     wire [595:0] stage_payload;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [608:0] in_queue_out_data;
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [608:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
     wire [608:0] caught_out_data;
@@ -4974,8 +4832,6 @@ module splat_reorder (
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
-    assign in_ready = in_queue_in_ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -4990,7 +4846,7 @@ module splat_reorder (
     );
 
     stream_half_buffer_w609 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
@@ -5004,7 +4860,7 @@ module splat_reorder (
     stream_half_buffer_w609 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w609 caught (
@@ -5121,12 +4977,10 @@ endmodule
 // sequence_bits = 16
 module splat_heap (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Entries in any order.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Entries in any order.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [11:0] in_pointer,  // Place of the payload.
-    output wire out_valid,  // Entries in order.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Entries in order.
     output wire [11:0] out_tile,  // Tile index.
     output wire [11:0] out_pointer,  // Place of the payload.
     output wire empty  // It holds no entry.
@@ -5140,7 +4994,7 @@ module splat_heap (
     reg lap, last_epoch;
     reg [11:0] newcomer_tile;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [23:0] out_queue_out_data;
     wire [40:0] stage_0_root;
     wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
@@ -5194,14 +5048,13 @@ module splat_heap (
     wire push_and_arrival_15 = push & arrival[15];
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {out_tile, out_pointer} = out_queue_out_data;
-    assign empty = ~(|count | out_queue_out_valid);
+    assign empty = ~(|count | out_valid);
 
     stream_skid_w24 out_queue (
         .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
         .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_l0 stage_0 (
@@ -6355,8 +6208,7 @@ endmodule
 // Splits a splat's rectangle into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Footprints with bounds in the image.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Projected center (px), the origin of what follows.
     input  wire [31:0] in_center_y,  // Projected center (px), the origin of what follows.
@@ -6388,8 +6240,7 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
-    output wire out_valid,  // Copies with bounds in their tiles.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -6457,7 +6308,7 @@ module splat_splitter (
     reg [8:0] splat_bottom;  // Last row.
     reg [5:0] column, row;
 
-    wire out_queue_in_ready, out_queue_out_valid;
+    wire out_queue_in_ready;
     wire [608:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
@@ -6469,7 +6320,6 @@ module splat_splitter (
     wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign in_ready = ready;
-    assign out_valid = out_queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -6490,7 +6340,7 @@ module splat_splitter (
             (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
             (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
         }),
-        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -6571,8 +6421,7 @@ endmodule
 // initiation_interval = 2
 module splat_setup (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in camera space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in camera space.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Center.
     input  wire [31:0] in_center_y,  // Center.
@@ -6606,8 +6455,7 @@ module splat_setup (
     input  wire [31:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
     input  wire [31:0] epsilon_scale,  // Scale of the splat's own depth range.
     input  wire [31:0] epsilon_bias,  // Constant part.
-    output wire out_valid,  // Footprints with bounds.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
     output wire [31:0] out_center_y,  // Projected center (px), the origin of what follows.
@@ -6776,7 +6624,7 @@ module splat_setup (
     reg [31:0] to_fixed_f32_ftz_u24q24_unit_copy2_a;
     reg [78:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
+    wire queue_in_ready;
     wire [620:0] queue_out_data;
     wire [31:0] recip_f32_ftz_unit_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
@@ -6830,8 +6678,7 @@ module splat_setup (
     wire [15:0] attribute_12_d79 = delay_79_from_0_out[208:193];
     wire [15:0] cardinal_0_d79 = delay_79_from_0_out[224:209];
     wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
-    wire advance_next_both = queue_out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both);
-    wire advance_next = ~advance_next_both;
+    wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_chosen = delay_17_from_1_out ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
@@ -6901,7 +6748,6 @@ module splat_setup (
     wire visible_unequal_copy2 = add_f32_ftz_unit_copy11_y[31] ^ visible_unequal;
 
     assign in_ready = load_0;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -6929,7 +6775,7 @@ module splat_setup (
             attribute_9_d79, attribute_10_d79, attribute_11_d79, attribute_12_d79, cardinal_0_d79, first_x_d1,
             last_x_d1, first_y_d1, last_y_d1
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
@@ -8569,8 +8415,7 @@ endmodule
 // initiation_interval = 1
 module splat_transform (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Splats in world space.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Splats in world space.
     input  wire in_end,  // Closes the frame.
     input  wire [31:0] in_center_x,  // Center.
     input  wire [31:0] in_center_y,  // Center.
@@ -8608,8 +8453,7 @@ module splat_transform (
     input  wire [31:0] m22,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [31:0] m23,  // By rows; the last row is (0, 0, 0, 1).
     input  wire [31:0] near_plane,  // Near plane.
-    output wire out_valid,  // Splats in camera space.
-    input  wire out_ready,
+    output wire out_valid, input wire out_ready,  // Splats in camera space.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Center.
     output wire [31:0] out_center_y,  // Center.
@@ -8683,7 +8527,6 @@ module splat_transform (
     reg [15:0] attribute_12_out_chosen_d1;
     reg [24:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [512:0] queue_out_data;
     wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y;
     wire [31:0] mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy7_y;
@@ -8787,8 +8630,6 @@ module splat_transform (
     wire [15:0] attribute_1_out = attribute_1_bits_is_31_d1 ? attribute_1_out_chosen_d1 : attribute_1_d1;
     wire [15:0] attribute_0_out = attribute_0_bits_is_31_d1 ? attribute_0_out_chosen_d1 : attribute_0_d1;
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {
         out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
         out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2,
@@ -8797,8 +8638,7 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w513 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[24] & end_or_near_plane_below_u_z),
-        .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[24] & end_or_near_plane_below_u_z), .in_ready(in_ready),
         .in_data({
             end_d25, u_x_d2, u_y_d2, u_z_d2, v1_x_d8, v1_y_d8, v1_z_d8, v2_x_d8, v2_y_d8, v2_z_d8,
             attribute_0_out_d24, attribute_1_out_d24, attribute_2_out_d24, attribute_3_out_d24,
@@ -8806,225 +8646,221 @@ module splat_transform (
             attribute_8_out_d24, attribute_9_out_d24, attribute_10_out_d24, attribute_11_out_d24,
             attribute_12_out_d24, cardinal_0_d25
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_center_x), .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(m00), .b(in_center_x), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_center_y), .y(mul_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(m01), .b(in_center_y), .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_center_z), .y(mul_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(m02), .b(in_center_z), .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_center_x), .y(mul_f32_ftz_unit_copy4_y)
+        .clk(clk), .enable(in_ready), .a(m10), .b(in_center_x), .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_center_y), .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(m11), .b(in_center_y), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_center_z), .y(mul_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(m12), .b(in_center_z), .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_center_x), .y(mul_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(m20), .b(in_center_x), .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_center_y), .y(mul_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(m21), .b(in_center_y), .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_center_z), .y(mul_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(m22), .b(in_center_z), .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy10_y)
+        .clk(clk), .enable(in_ready), .a(m00), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(m01), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(m02), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy12_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(m10), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy13_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy14_y)
+        .clk(clk), .enable(in_ready), .a(m11), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy14_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy15_y)
+        .clk(clk), .enable(in_ready), .a(m12), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy15_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(in_ready), .a(m20), .b(in_tangent1_x), .y(mul_f32_ftz_unit_copy16_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(in_ready), .a(m21), .b(in_tangent1_y), .y(mul_f32_ftz_unit_copy17_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(in_ready), .a(m22), .b(in_tangent1_z), .y(mul_f32_ftz_unit_copy18_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(m00), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy19_y)
+        .clk(clk), .enable(in_ready), .a(m00), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy19_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(m01), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy20_y)
+        .clk(clk), .enable(in_ready), .a(m01), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(queue_in_ready), .a(m02), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy21_y)
+        .clk(clk), .enable(in_ready), .a(m02), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy21_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy22 (
-        .clk(clk), .enable(queue_in_ready), .a(m10), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy22_y)
+        .clk(clk), .enable(in_ready), .a(m10), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy22_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy23 (
-        .clk(clk), .enable(queue_in_ready), .a(m11), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy23_y)
+        .clk(clk), .enable(in_ready), .a(m11), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy23_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy24 (
-        .clk(clk), .enable(queue_in_ready), .a(m12), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy24_y)
+        .clk(clk), .enable(in_ready), .a(m12), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy24_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy25 (
-        .clk(clk), .enable(queue_in_ready), .a(m20), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy25_y)
+        .clk(clk), .enable(in_ready), .a(m20), .b(in_tangent2_x), .y(mul_f32_ftz_unit_copy25_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy26 (
-        .clk(clk), .enable(queue_in_ready), .a(m21), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy26_y)
+        .clk(clk), .enable(in_ready), .a(m21), .b(in_tangent2_y), .y(mul_f32_ftz_unit_copy26_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy27 (
-        .clk(clk), .enable(queue_in_ready), .a(m22), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy27_y)
+        .clk(clk), .enable(in_ready), .a(m22), .b(in_tangent2_z), .y(mul_f32_ftz_unit_copy27_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(m02_times_center_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(m02_times_center_z_d6),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(m12_times_center_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(m12_times_center_z_d6),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(m22_times_center_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(m22_times_center_z_d6),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(m03), .b(add_f32_ftz_unit_copy2_y),
-        .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(m03), .b(add_f32_ftz_unit_copy2_y), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(m13), .b(add_f32_ftz_unit_copy4_y),
-        .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(m13), .b(add_f32_ftz_unit_copy4_y), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(m23), .b(add_f32_ftz_unit_copy6_y),
-        .y(add_f32_ftz_unit_copy9_y)
+        .clk(clk), .enable(in_ready), .a(m23), .b(add_f32_ftz_unit_copy6_y), .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_y), .b(m02_times_tangent1_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy10_y), .b(m02_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy13_y), .b(mul_f32_ftz_unit_copy14_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy13_y), .b(mul_f32_ftz_unit_copy14_y),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(m12_times_tangent1_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy12_y), .b(m12_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy16_y), .b(mul_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy16_y), .b(mul_f32_ftz_unit_copy17_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(m22_times_tangent1_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy14_y), .b(m22_times_tangent1_z_d6),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy19_y), .b(mul_f32_ftz_unit_copy20_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy19_y), .b(mul_f32_ftz_unit_copy20_y),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(m02_times_tangent2_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy16_y), .b(m02_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy22_y), .b(mul_f32_ftz_unit_copy23_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy22_y), .b(mul_f32_ftz_unit_copy23_y),
         .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(m12_times_tangent2_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy18_y), .b(m12_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy25_y), .b(mul_f32_ftz_unit_copy26_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy25_y), .b(mul_f32_ftz_unit_copy26_y),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_y), .b(m22_times_tangent2_z_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy20_y), .b(m22_times_tangent2_z_d6),
         .y(add_f32_ftz_unit_copy21_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy9_y),
-        .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy9_y), .y(lt_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
@@ -9034,7 +8870,7 @@ module splat_transform (
             delay_24_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
             in_flight <= 25'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
             delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
@@ -9043,7 +8879,7 @@ module splat_transform (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             attribute_0_d1 <= in_attribute_0;
             attribute_1_d1 <= in_attribute_1;
             attribute_2_d1 <= in_attribute_2;
@@ -9092,37 +8928,37 @@ module splat_transform (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {
                 mul_f32_ftz_unit_copy27_y, mul_f32_ftz_unit_copy24_y, mul_f32_ftz_unit_copy21_y,
                 mul_f32_ftz_unit_copy18_y, mul_f32_ftz_unit_copy15_y, mul_f32_ftz_unit_copy12_y,
                 mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy3_y
             };
         end
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_8_from_0[delay_8_from_0_pointer] <= {
                 add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy17_y,
                 add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy11_y
             };
         end
-        if (queue_in_ready) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+        if (in_ready) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_24_from_0[delay_24_from_0_pointer] <= {
                 attribute_12_out, attribute_11_out, attribute_10_out, attribute_9_out, attribute_8_out,
                 attribute_7_out, attribute_6_out, attribute_5_out, attribute_4_out, attribute_3_out, attribute_2_out,
                 attribute_1_out, attribute_0_out
             };
         end
-        if (queue_in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
+        if (in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_25_from_0[delay_25_from_0_pointer] <= {in_cardinal_0, in_end};
-        if (queue_in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= {in_cardinal_0, in_end};
+        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
 endmodule
 

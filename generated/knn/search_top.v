@@ -12,21 +12,18 @@ module search_top (
     input  wire tree_internal_leaf,  // It is a leaf.
     input  wire [21:0] tree_begin,  // The first beat.
     input  wire [2:0] tree_beats,  // The number of beats, at least one.
-    input  wire query_valid,  // Queries.
-    output wire query_ready,
+    input  wire query_valid, output wire query_ready,  // Queries.
     input  wire [23:0] query_number,  // Its number, which its results bear.
     input  wire [5:0] query_k,  // Neighbors wanted.
     input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
     input  wire [31:0] query_x,  // Where.
     input  wire [31:0] query_y,  // Where.
     input  wire [31:0] query_z,  // Where.
-    output wire fetch_valid,  // Requests to the memory.
-    input  wire fetch_ready,
+    output wire fetch_valid, input wire fetch_ready,  // Requests to the memory.
     output wire [3:0] fetch_thread,  // Thread.
     output wire [21:0] fetch_address,  // First beat.
     output wire [2:0] fetch_beats,  // Number of beats, at least one.
-    input  wire beat_valid,  // Points from memory: the beats of a request in order and together, requests in any order.
-    output wire beat_ready,
+    input  wire beat_valid, output wire beat_ready,  // Points from memory: the beats of a request in order and together, requests in any order.
     input  wire [3:0] beat_thread,  // Thread.
     input  wire [21:0] beat_address,  // Address in the point memory.
     input  wire beat_last,  // Closes its leaf.
@@ -42,8 +39,7 @@ module search_top (
     input  wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
     input  wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
     input  wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
-    output wire result_valid,  // Neighbors, nearest first, a query after the other.
-    input  wire result_ready,
+    output wire result_valid, input wire result_ready,  // Neighbors, nearest first, a query after the other.
     output wire [23:0] result_number,  // The query's number.
     output wire result_last,  // Closes the query.
     output wire result_found,  // Low for a query without any neighbor.
@@ -58,7 +54,7 @@ module search_top (
     output wire event_point_hit,  // The point cache had a leaf that was wanted.
     output wire event_point_miss  // The point cache lacked a leaf that was wanted.
 );
-    wire threads_query_ready, threads_start_valid;
+    wire threads_start_valid;
     wire [3:0] threads_start_thread;
     wire [23:0] threads_start_number;
     wire [5:0] threads_start_k;
@@ -70,10 +66,10 @@ module search_top (
     wire [3:0] threads_pop_thread;
     wire threads_finish_valid;
     wire [3:0] threads_finish_thread;
-    wire threads_event_thread_wait, traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
+    wire traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
     wire [3:0] traversal_leaf_thread;
     wire [13:0] traversal_leaf_leaf;
-    wire traversal_event_node, traversal_push_valid;
+    wire traversal_push_valid;
     wire [3:0] traversal_push_thread;
     wire [14:0] traversal_push_node;
     wire [31:0] traversal_push_distance2;
@@ -89,7 +85,7 @@ module search_top (
     wire [3:0] recursion_pop_thread;
     wire recursion_empty_valid;
     wire [3:0] recursion_empty_thread;
-    wire recursion_event_pop, leaf_leaf_ready, leaf_fetch_valid;
+    wire leaf_leaf_ready, leaf_fetch_valid;
     wire [3:0] leaf_fetch_thread;
     wire [21:0] leaf_fetch_address;
     wire [2:0] leaf_fetch_beats;
@@ -109,49 +105,18 @@ module search_top (
     wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [3:0] queue_radius_thread;
     wire [31:0] queue_radius_radius2;
-    wire queue_event_insert, queue_released_valid;
+    wire queue_released_valid;
     wire [3:0] queue_released_thread;
-    wire queue_result_valid;
-    wire [23:0] queue_result_number;
-    wire queue_result_last, queue_result_found;
-    wire [23:0] queue_result_index;
-    wire [31:0] queue_result_distance2;
-    wire queue_event_beat, queue_event_insert_wait, point_cache_fetch_ready, point_cache_miss_valid;
-    wire [3:0] point_cache_miss_thread;
-    wire [21:0] point_cache_miss_address;
-    wire [2:0] point_cache_miss_beats;
-    wire point_cache_beat_valid;
+    wire point_cache_fetch_ready, point_cache_beat_valid;
     wire [3:0] point_cache_beat_thread;
     wire [21:0] point_cache_beat_address;
     wire point_cache_beat_last;
     wire [31:0] point_cache_beat_x0, point_cache_beat_y0, point_cache_beat_z0, point_cache_beat_x1;
     wire [31:0] point_cache_beat_y1, point_cache_beat_z1, point_cache_beat_x2, point_cache_beat_y2;
     wire [31:0] point_cache_beat_z2, point_cache_beat_x3, point_cache_beat_y3, point_cache_beat_z3;
-    wire point_cache_fill_ready, point_cache_event_point_hit, point_cache_event_point_miss;
-
-    assign query_ready = threads_query_ready;
-    assign fetch_valid = point_cache_miss_valid;
-    assign fetch_thread = point_cache_miss_thread;
-    assign fetch_address = point_cache_miss_address;
-    assign fetch_beats = point_cache_miss_beats;
-    assign beat_ready = point_cache_fill_ready;
-    assign result_valid = queue_result_valid;
-    assign result_number = queue_result_number;
-    assign result_last = queue_result_last;
-    assign result_found = queue_result_found;
-    assign result_index = queue_result_index;
-    assign result_distance2 = queue_result_distance2;
-    assign event_node = traversal_event_node;
-    assign event_pop = recursion_event_pop;
-    assign event_beat = queue_event_beat;
-    assign event_insert = queue_event_insert;
-    assign event_insert_wait = queue_event_insert_wait;
-    assign event_thread_wait = threads_event_thread_wait;
-    assign event_point_hit = point_cache_event_point_hit;
-    assign event_point_miss = point_cache_event_point_miss;
 
     search_threads threads (
-        .clk(clk), .rst(rst), .query_valid(query_valid), .query_ready(threads_query_ready),
+        .clk(clk), .rst(rst), .query_valid(query_valid), .query_ready(query_ready),
         .query_number(query_number), .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x),
         .query_y(query_y), .query_z(query_z),
         .start_valid(threads_start_valid), .start_thread(threads_start_thread),
@@ -167,7 +132,7 @@ module search_top (
         .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread),
         .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
         .released_valid(queue_released_valid), .released_thread(queue_released_thread),
-        .event_thread_wait(threads_event_thread_wait)
+        .event_thread_wait(event_thread_wait)
     );
 
     search_traversal traversal (
@@ -183,7 +148,7 @@ module search_top (
         .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
         .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
         .tree_begin(tree_begin), .tree_beats(tree_beats),
-        .event_node(traversal_event_node),
+        .event_node(event_node),
         .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
         .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
         .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread)
@@ -208,7 +173,7 @@ module search_top (
         .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
         .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
         .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
-        .event_pop(recursion_event_pop)
+        .event_pop(event_pop)
     );
 
     search_leaf leaf (
@@ -267,19 +232,19 @@ module search_top (
         .finish_thread(threads_finish_thread),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .event_insert(queue_event_insert),
+        .event_insert(event_insert),
         .released_valid(queue_released_valid), .released_thread(queue_released_thread),
-        .result_valid(queue_result_valid), .result_ready(result_ready), .result_number(queue_result_number),
-        .result_last(queue_result_last), .result_found(queue_result_found), .result_index(queue_result_index),
-        .result_distance2(queue_result_distance2),
-        .event_beat(queue_event_beat), .event_insert_wait(queue_event_insert_wait)
+        .result_valid(result_valid), .result_ready(result_ready), .result_number(result_number),
+        .result_last(result_last), .result_found(result_found), .result_index(result_index),
+        .result_distance2(result_distance2),
+        .event_beat(event_beat), .event_insert_wait(event_insert_wait)
     );
 
     search_point_cache point_cache (
         .clk(clk), .rst(rst), .fetch_valid(leaf_fetch_valid), .fetch_ready(point_cache_fetch_ready),
         .fetch_thread(leaf_fetch_thread), .fetch_address(leaf_fetch_address), .fetch_beats(leaf_fetch_beats),
-        .miss_valid(point_cache_miss_valid), .miss_ready(fetch_ready), .miss_thread(point_cache_miss_thread),
-        .miss_address(point_cache_miss_address), .miss_beats(point_cache_miss_beats),
+        .miss_valid(fetch_valid), .miss_ready(fetch_ready), .miss_thread(fetch_thread),
+        .miss_address(fetch_address), .miss_beats(fetch_beats),
         .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
         .beat_thread(point_cache_beat_thread), .beat_address(point_cache_beat_address),
         .beat_last(point_cache_beat_last), .beat_x0(point_cache_beat_x0), .beat_y0(point_cache_beat_y0),
@@ -287,11 +252,11 @@ module search_top (
         .beat_z1(point_cache_beat_z1), .beat_x2(point_cache_beat_x2), .beat_y2(point_cache_beat_y2),
         .beat_z2(point_cache_beat_z2), .beat_x3(point_cache_beat_x3), .beat_y3(point_cache_beat_y3),
         .beat_z3(point_cache_beat_z3),
-        .fill_valid(beat_valid), .fill_ready(point_cache_fill_ready), .fill_thread(beat_thread),
+        .fill_valid(beat_valid), .fill_ready(beat_ready), .fill_thread(beat_thread),
         .fill_address(beat_address), .fill_last(beat_last), .fill_x0(beat_x0), .fill_y0(beat_y0),
         .fill_z0(beat_z0), .fill_x1(beat_x1), .fill_y1(beat_y1), .fill_z1(beat_z1), .fill_x2(beat_x2),
         .fill_y2(beat_y2), .fill_z2(beat_z2), .fill_x3(beat_x3), .fill_y3(beat_y3), .fill_z3(beat_z3),
-        .event_point_hit(point_cache_event_point_hit), .event_point_miss(point_cache_event_point_miss)
+        .event_point_hit(event_point_hit), .event_point_miss(event_point_miss)
     );
 endmodule
 
@@ -300,18 +265,15 @@ endmodule
 // slot_beats = 4
 module search_point_cache (
     input  wire clk, input wire rst,
-    input  wire fetch_valid,  // Leaves wanted.
-    output wire fetch_ready,
+    input  wire fetch_valid, output wire fetch_ready,  // Leaves wanted.
     input  wire [3:0] fetch_thread,  // Thread.
     input  wire [21:0] fetch_address,  // First beat.
     input  wire [2:0] fetch_beats,  // Number of beats, at least one.
-    output wire miss_valid,  // Requests to the memory.
-    input  wire miss_ready,
+    output wire miss_valid, input wire miss_ready,  // Requests to the memory.
     output wire [3:0] miss_thread,  // Thread.
     output wire [21:0] miss_address,  // First beat.
     output wire [2:0] miss_beats,  // Number of beats, at least one.
-    output wire beat_valid,  // Their points.
-    input  wire beat_ready,
+    output wire beat_valid, input wire beat_ready,  // Their points.
     output wire [3:0] beat_thread,  // Thread.
     output wire [21:0] beat_address,  // Address in the point memory.
     output wire beat_last,  // Closes its leaf.
@@ -327,8 +289,7 @@ module search_point_cache (
     output wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
     output wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
     output wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
-    input  wire fill_valid,  // Points from memory.
-    output wire fill_ready,
+    input  wire fill_valid, output wire fill_ready,  // Points from memory.
     input  wire [3:0] fill_thread,  // Thread.
     input  wire [21:0] fill_address,  // Address in the point memory.
     input  wire fill_last,  // Closes its leaf.
@@ -381,13 +342,13 @@ module search_point_cache (
     reg [31:0] r_y3;  // A point a lane; NaN where there is none.
     reg [31:0] r_z3;  // A point a lane; NaN where there is none.
 
-    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire fetch_queue_out_valid;
     wire [34:0] fetch_queue_out_data;
-    wire miss_queue_in_ready, miss_queue_out_valid;
+    wire miss_queue_in_ready;
     wire [28:0] miss_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_in_ready;
     wire [410:0] beat_queue_out_data;
-    wire fill_queue_in_ready, fill_queue_out_valid;
+    wire fill_queue_out_valid;
     wire [416:0] fill_queue_out_data;
 
     wire advance_r = ~r_valid | beat_queue_in_ready;
@@ -564,15 +525,11 @@ module search_point_cache (
     wire [31:0] fill_queue_out_y3 = fill_queue_out_data[69:38];
     wire [31:0] fill_queue_out_z3 = fill_queue_out_data[37:6];
 
-    assign fetch_ready = fetch_queue_in_ready;
-    assign miss_valid = miss_queue_out_valid;
     assign {miss_thread, miss_address, miss_beats} = miss_queue_out_data;
-    assign beat_valid = beat_queue_out_valid;
     assign {
         beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
         beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
     } = beat_queue_out_data;
-    assign fill_ready = fill_queue_in_ready;
 
     memory_1w1r_unordered #(.WIDTH(384), .DEPTH(256)) points (
         .clk(clk), .write(store), .write_address({fill_slot, fill_count[1:0]}),
@@ -587,7 +544,7 @@ module search_point_cache (
     );
 
     stream_skid_w35 fetch_queue (
-        .clk(clk), .rst(rst), .in_valid(fetch_valid), .in_ready(fetch_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fetch_valid), .in_ready(fetch_ready),
         .in_data({fetch_thread, fetch_address, fetch_beats, fetch_queue_in_data_unequal}),
         .out_valid(fetch_queue_out_valid), .out_ready(advance_l), .out_data(fetch_queue_out_data)
     );
@@ -595,7 +552,7 @@ module search_point_cache (
     stream_skid_w29 miss_queue (
         .clk(clk), .rst(rst), .in_valid(misses), .in_ready(miss_queue_in_ready),
         .in_data({l_thread, l_address, l_beats}),
-        .out_valid(miss_queue_out_valid), .out_ready(miss_ready), .out_data(miss_queue_out_data)
+        .out_valid(miss_valid), .out_ready(miss_ready), .out_data(miss_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
@@ -607,11 +564,11 @@ module search_point_cache (
             r_read ? read[127:96] : r_z2, r_read ? read[95:64] : r_x3, r_read ? read[63:32] : r_y3,
             r_read ? read[31:0] : r_z3
         }),
-        .out_valid(beat_queue_out_valid), .out_ready(beat_ready), .out_data(beat_queue_out_data)
+        .out_valid(beat_valid), .out_ready(beat_ready), .out_data(beat_queue_out_data)
     );
 
     stream_skid_w417 fill_queue (
-        .clk(clk), .rst(rst), .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(fill_valid), .in_ready(fill_ready),
         .in_data({
             fill_thread, fill_address, fill_last, fill_x0, fill_y0, fill_z0, fill_x1, fill_y1, fill_z1, fill_x2,
             fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, fill_queue_in_data_unequal
@@ -798,8 +755,7 @@ module search_queue (
     input  wire [31:0] start_x,  // Where.
     input  wire [31:0] start_y,  // Where.
     input  wire [31:0] start_z,  // Where.
-    input  wire candidates_valid,  // Squared distances.
-    output wire candidates_ready,
+    input  wire candidates_valid, output wire candidates_ready,  // Squared distances.
     input  wire [3:0] candidates_thread,  // Thread.
     input  wire [21:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
@@ -807,8 +763,7 @@ module search_queue (
     input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
     input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
     input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
-    input  wire finish_valid,  // Threads whose search is over.
-    output wire finish_ready,
+    input  wire finish_valid, output wire finish_ready,  // Threads whose search is over.
     input  wire [3:0] finish_thread,  // Thread.
     output reg  radius_valid,  // A thread's radius after a leaf.
     output reg  [3:0] radius_thread,  // Thread.
@@ -816,8 +771,7 @@ module search_queue (
     output reg  event_insert,  // A neighbor was inserted.
     output reg  released_valid,  // A thread whose results are safe.
     output reg  [3:0] released_thread,  // Thread.
-    output wire result_valid,  // Neighbors, nearest first.
-    input  wire result_ready,
+    output wire result_valid, input wire result_ready,  // Neighbors, nearest first.
     output wire [23:0] result_number,  // The query's number.
     output wire result_last,  // Closes the query.
     output wire result_found,  // Low for a query without any neighbor.
@@ -868,7 +822,7 @@ module search_queue (
     reg [23:0] sent_number;
     reg [5:0] position;
 
-    wire finish_queue_in_ready, finish_queue_out_valid;
+    wire finish_queue_out_valid;
     wire [3:0] finish_queue_out_data;
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
@@ -1243,7 +1197,6 @@ module search_queue (
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
 
-    assign finish_ready = finish_queue_in_ready;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -1270,8 +1223,7 @@ module search_queue (
     );
 
     stream_skid_w4 finish_queue (
-        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_queue_in_ready),
-        .in_data(finish_thread),
+        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_ready), .in_data(finish_thread),
         .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
@@ -1422,8 +1374,7 @@ module search_sieve (
     input  wire radius_valid,  // A thread's new radius.
     input  wire [3:0] radius_thread,  // Thread.
     input  wire [31:0] radius_radius2,  // Squared radius.
-    input  wire candidates_valid,  // Squared distances; the beats of a leaf come together.
-    output wire candidates_ready,
+    input  wire candidates_valid, output wire candidates_ready,  // Squared distances; the beats of a leaf come together.
     input  wire [3:0] candidates_thread,  // Thread.
     input  wire [21:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
@@ -1431,8 +1382,7 @@ module search_sieve (
     input  wire [31:0] candidates_distance1,  // A squared distance a lane; NaN where there is no point.
     input  wire [31:0] candidates_distance2,  // A squared distance a lane; NaN where there is no point.
     input  wire [31:0] candidates_distance3,  // A squared distance a lane; NaN where there is no point.
-    output wire kept_valid,  // Beats with a point that is near enough.
-    input  wire kept_ready,
+    output wire kept_valid, input wire kept_ready,  // Beats with a point that is near enough.
     output wire [3:0] kept_thread,  // Thread.
     output wire [21:0] kept_address,  // Address in the point memory.
     output wire kept_last,  // Closes its leaf.
@@ -1470,9 +1420,9 @@ module search_sieve (
     reg [21:0] held_address;
     reg [31:0] held_distance0, held_distance1, held_distance2, held_distance3;
 
-    wire candidates_queue_in_ready, candidates_queue_out_valid;
+    wire candidates_queue_out_valid;
     wire [154:0] candidates_queue_out_data;
-    wire kept_queue_in_ready, kept_queue_out_valid;
+    wire kept_queue_in_ready;
     wire [154:0] kept_queue_out_data;
 
     wire closed = held_valid & held_last;
@@ -1517,14 +1467,12 @@ module search_sieve (
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
-    assign candidates_ready = candidates_queue_in_ready;
-    assign kept_valid = kept_queue_out_valid;
     assign {
         kept_thread, kept_address, kept_last, kept_distance0, kept_distance1, kept_distance2, kept_distance3
     } = kept_queue_out_data;
 
     stream_skid_w155 candidates_queue (
-        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_ready),
         .in_data({
             candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
             candidates_distance2, candidates_distance3
@@ -1537,7 +1485,7 @@ module search_sieve (
         .in_data({
             held_thread, held_address, held_last, held_distance0, held_distance1, held_distance2, held_distance3
         }),
-        .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
+        .out_valid(kept_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1662,12 +1610,10 @@ module search_leaf (
     input  wire tree_internal_leaf,  // It is a leaf.
     input  wire [21:0] tree_begin,  // The first beat.
     input  wire [2:0] tree_beats,  // The number of beats, at least one.
-    input  wire leaf_valid,  // Leaves reached.
-    output wire leaf_ready,
+    input  wire leaf_valid, output wire leaf_ready,  // Leaves reached.
     input  wire [3:0] leaf_thread,  // Thread.
     input  wire [13:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
-    output wire fetch_valid,  // Requests to the memory.
-    input  wire fetch_ready,
+    output wire fetch_valid, input wire fetch_ready,  // Requests to the memory.
     output wire [3:0] fetch_thread,  // Thread.
     output wire [21:0] fetch_address,  // First beat.
     output wire [2:0] fetch_beats,  // Number of beats, at least one.
@@ -1679,8 +1625,7 @@ module search_leaf (
     input  wire [31:0] start_x,  // Where.
     input  wire [31:0] start_y,  // Where.
     input  wire [31:0] start_z,  // Where.
-    input  wire beat_valid,  // Points from memory.
-    output wire beat_ready,
+    input  wire beat_valid, output wire beat_ready,  // Points from memory.
     input  wire [3:0] beat_thread,  // Thread.
     input  wire [21:0] beat_address,  // Address in the point memory.
     input  wire beat_last,  // Closes its leaf.
@@ -1696,8 +1641,7 @@ module search_leaf (
     input  wire [31:0] beat_x3,  // A point a lane; NaN where there is none.
     input  wire [31:0] beat_y3,  // A point a lane; NaN where there is none.
     input  wire [31:0] beat_z3,  // A point a lane; NaN where there is none.
-    output wire candidates_valid,  // Their squared distances.
-    input  wire candidates_ready,
+    output wire candidates_valid, input wire candidates_ready,  // Their squared distances.
     output wire [3:0] candidates_thread,  // Thread.
     output wire [21:0] candidates_address,  // Address in the point memory.
     output wire candidates_last,  // Closes its leaf.
@@ -1729,17 +1673,13 @@ module search_leaf (
     reg [31:0] points_z3;  // A point a lane; NaN where there is none.
     wire [95:0] query;
 
-    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire leaf_queue_out_valid;
     wire [17:0] leaf_queue_out_data;
-    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire fetch_queue_in_ready;
     wire [28:0] fetch_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [410:0] beat_queue_out_data;
-    wire distance_in_ready, distance_out_valid;
-    wire [3:0] distance_out_thread;
-    wire [21:0] distance_out_address;
-    wire distance_out_last;
-    wire [31:0] distance_out_distance0, distance_out_distance1, distance_out_distance2, distance_out_distance3;
+    wire distance_in_ready;
 
     wire writes_leaf = tree_valid & tree_is_leaf;
     wire table_advance = ~f1_valid | fetch_queue_in_ready;
@@ -1762,18 +1702,7 @@ module search_leaf (
     wire [31:0] beat_queue_out_y3 = beat_queue_out_data[63:32];
     wire [31:0] beat_queue_out_z3 = beat_queue_out_data[31:0];
 
-    assign leaf_ready = leaf_queue_in_ready;
-    assign fetch_valid = fetch_queue_out_valid;
     assign {fetch_thread, fetch_address, fetch_beats} = fetch_queue_out_data;
-    assign beat_ready = beat_queue_in_ready;
-    assign candidates_valid = distance_out_valid;
-    assign candidates_thread = distance_out_thread;
-    assign candidates_address = distance_out_address;
-    assign candidates_last = distance_out_last;
-    assign candidates_distance0 = distance_out_distance0;
-    assign candidates_distance1 = distance_out_distance1;
-    assign candidates_distance2 = distance_out_distance2;
-    assign candidates_distance3 = distance_out_distance3;
 
     memory_1w1r_unordered #(.WIDTH(25), .DEPTH(16384), .SLICE(1)) leaves (
         .clk(clk), .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
@@ -1787,7 +1716,7 @@ module search_leaf (
     );
 
     stream_skid_w18 leaf_queue (
-        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_ready),
         .in_data({leaf_thread, leaf_leaf}),
         .out_valid(leaf_queue_out_valid), .out_ready(table_advance), .out_data(leaf_queue_out_data)
     );
@@ -1795,11 +1724,11 @@ module search_leaf (
     stream_skid_w29 fetch_queue (
         .clk(clk), .rst(rst), .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
         .in_data({f1_thread, f1_begin, f1_beats}),
-        .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
+        .out_valid(fetch_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_ready),
         .in_data({
             beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
             beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
@@ -1813,10 +1742,10 @@ module search_leaf (
         .in_z0(points_z0), .in_x1(points_x1), .in_y1(points_y1), .in_z1(points_z1), .in_x2(points_x2),
         .in_y2(points_y2), .in_z2(points_z2), .in_x3(points_x3), .in_y3(points_y3), .in_z3(points_z3),
         .in_query_x(query[95:64]), .in_query_y(query[63:32]), .in_query_z(query[31:0]),
-        .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
-        .out_address(distance_out_address), .out_last(distance_out_last),
-        .out_distance0(distance_out_distance0), .out_distance1(distance_out_distance1),
-        .out_distance2(distance_out_distance2), .out_distance3(distance_out_distance3)
+        .out_valid(candidates_valid), .out_ready(candidates_ready), .out_thread(candidates_thread),
+        .out_address(candidates_address), .out_last(candidates_last), .out_distance0(candidates_distance0),
+        .out_distance1(candidates_distance1), .out_distance2(candidates_distance2),
+        .out_distance3(candidates_distance3)
     );
 
     always @(posedge clk) begin
@@ -1899,7 +1828,6 @@ module search_distance (
     reg [26:0] delay_23_from_0_out;
     reg [22:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [154:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
@@ -1923,164 +1851,161 @@ module search_distance (
     wire [31:0] offset_z_squared_d6_copy3 = delay_6_from_0_out[95:64];
     wire [31:0] offset_z_squared_d6_copy4 = delay_6_from_0_out[127:96];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
 
     stream_skid_w155 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[22]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[22]), .in_ready(in_ready),
         .in_data({
             thread_d23, address_d23, last_d23, add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y,
             add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy20_y
         }),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(in_x0), .b(minus_in_query_x), .y(add_f32_ftz_unit_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(in_y0), .b(minus_in_query_y), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(in_z0), .b(minus_in_query_z), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy4_y), .b(offset_z_squared_d6),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy9_y), .b(offset_z_squared_d6_copy2),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy14_y), .b(offset_z_squared_d6_copy3),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_x), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_y), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
-        .clk(clk), .enable(queue_in_ready), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(in_ready), .a(minus_in_query_z), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(offset_z_squared_d6_copy4),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy19_y), .b(offset_z_squared_d6_copy4),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
@@ -2089,26 +2014,26 @@ module search_distance (
             delay_6_from_0_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
             in_flight <= 23'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
             in_flight <= {in_flight[21:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {
                 mul_f32_ftz_unit_copy12_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
                 mul_f32_ftz_unit_copy3_y
             };
         end
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
         end
-        if (queue_in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
 endmodule
 
@@ -2256,14 +2181,12 @@ module search_recursion (
     input  wire radius_valid,  // A thread's new radius.
     input  wire [3:0] radius_thread,  // Thread.
     input  wire [31:0] radius_radius2,  // Squared radius.
-    input  wire in_valid,  // Threads that want their next path.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Threads that want their next path.
     input  wire [3:0] in_thread,  // Thread.
     input  wire top_empty,  // The stack of the last pop was empty.
     input  wire [14:0] top_node,  // The subtree's root.
     input  wire [31:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
-    output wire resume_valid,  // Descents from a path that was not taken before.
-    input  wire resume_ready,
+    output wire resume_valid, input wire resume_ready,  // Descents from a path that was not taken before.
     output wire [3:0] resume_thread,  // Thread.
     output wire [14:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     output wire pop_valid,  // A thread that wants its last path back.
@@ -2284,9 +2207,9 @@ module search_recursion (
     reg [15:0] from_leaf;
     reg [31:0] radius2;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [3:0] in_queue_out_data;
-    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire resume_queue_in_ready;
     wire [18:0] resume_queue_out_data;
 
     wire advance = ~r2_valid | resume_queue_in_ready;
@@ -2319,21 +2242,19 @@ module search_recursion (
     wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [31:0] query_radius2 = query_radii[r1_thread];
 
-    assign in_ready = in_queue_in_ready;
-    assign resume_valid = resume_queue_out_valid;
     assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
     assign pop_thread = r0_thread;
 
     stream_skid_w4 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_data(in_thread),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w19 resume_queue (
         .clk(clk), .rst(rst), .in_valid(popped & nearer), .in_ready(resume_queue_in_ready),
         .in_data({r2_thread, path_node}),
-        .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
+        .out_valid(resume_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -2543,16 +2464,13 @@ module search_traversal (
     input  wire [31:0] start_x,  // Where.
     input  wire [31:0] start_y,  // Where.
     input  wire [31:0] start_z,  // Where.
-    input  wire descend_valid,  // Descents from the root.
-    output wire descend_ready,
+    input  wire descend_valid, output wire descend_ready,  // Descents from the root.
     input  wire [3:0] descend_thread,  // Thread.
     input  wire [14:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    input  wire resume_valid,  // Descents from a path that was not taken before.
-    output wire resume_ready,
+    input  wire resume_valid, output wire resume_ready,  // Descents from a path that was not taken before.
     input  wire [3:0] resume_thread,  // Thread.
     input  wire [14:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    output wire leaf_valid,  // Leaves reached.
-    input  wire leaf_ready,
+    output wire leaf_valid, input wire leaf_ready,  // Leaves reached.
     output wire [3:0] leaf_thread,  // Thread.
     output wire [13:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
     input  wire tree_valid,  // Write to the node memory.
@@ -2588,17 +2506,13 @@ module search_traversal (
     reg v_internal_leaf;
     wire [95:0] query;
 
-    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire descend_queue_out_valid;
     wire [18:0] descend_queue_out_data;
-    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire resume_queue_out_valid;
     wire [18:0] resume_queue_out_data;
-    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire leaf_queue_in_ready;
     wire [17:0] leaf_queue_out_data;
-    wire path_in_ready, path_out_valid, path_out_is_leaf;
-    wire [3:0] path_out_thread;
-    wire [14:0] path_out_node;
-    wire [31:0] path_out_distance2;
-    wire less_y;
+    wire path_in_ready, path_out_valid, path_out_is_leaf, less_y;
 
     wire writes_odd_both = tree_valid & ~tree_is_leaf;
     wire writes_even = writes_odd_both & ~tree_address[0];
@@ -2627,16 +2541,10 @@ module search_traversal (
     wire [3:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
     wire v_node_choice = f_is_child ? ~less_y : f_node[0];
 
-    assign descend_ready = descend_queue_in_ready;
-    assign resume_ready = resume_queue_in_ready;
-    assign leaf_valid = leaf_queue_out_valid;
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
-    assign push_thread = path_out_thread;
-    assign push_node = path_out_node;
-    assign push_distance2 = path_out_distance2;
     assign reached_valid = path_out_valid & path_out_is_leaf;
-    assign reached_thread = path_out_thread;
+    assign reached_thread = push_thread;
 
     memory_1w1r_unordered #(.WIDTH(35), .DEPTH(8192), .SLICE(2)) even_nodes (
         .clk(clk), .write(writes_even), .write_address(tree_address[13:1]), .write_data(even_nodes_data_bits),
@@ -2655,14 +2563,14 @@ module search_traversal (
     );
 
     stream_skid_w19 descend_queue (
-        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_ready),
         .in_data({descend_thread, descend_node}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
         .out_data(descend_queue_out_data)
     );
 
     stream_skid_w19 resume_queue (
-        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_ready),
         .in_data({resume_thread, resume_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
         .out_data(resume_queue_out_data)
@@ -2671,7 +2579,7 @@ module search_traversal (
     stream_skid_w18 leaf_queue (
         .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
         .in_data({v_thread, leaf_queue_in_data_choice_4[13:0]}),
-        .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
+        .out_valid(leaf_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
@@ -2679,7 +2587,7 @@ module search_traversal (
         .in_thread(s_thread), .in_node({s_node[13:0], less_y}), .in_coordinate(s_coordinate),
         .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
-        .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
+        .out_thread(push_thread), .out_node(push_node), .out_distance2(push_distance2)
     );
 
     float_lt_s1_f32ftz less (
@@ -2762,7 +2670,6 @@ module search_path (
     reg [19:0] delay_11_from_0_out;
     reg [10:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [51:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
@@ -2770,40 +2677,37 @@ module search_path (
     wire [3:0] thread_d11 = delay_11_from_0_out[4:1];
     wire [14:0] node_d11 = delay_11_from_0_out[19:5];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w52 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[10]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[10]), .in_ready(in_ready),
         .in_data({is_leaf_d11, thread_d11, node_d11, mul_f32_ftz_unit_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
+        .clk(clk), .enable(in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y), .y(mul_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_11_from_0_pointer <= 4'd0;
             in_flight <= 11'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
             in_flight <= {in_flight[9:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         end
-        if (queue_in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        if (in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
 endmodule
 
@@ -3080,8 +2984,7 @@ endmodule
 // leaves_in_flight = 2
 module search_threads (
     input  wire clk, input wire rst,
-    input  wire query_valid,  // Queries.
-    output wire query_ready,
+    input  wire query_valid, output wire query_ready,  // Queries.
     input  wire [23:0] query_number,  // Its number, which its results bear.
     input  wire [5:0] query_k,  // Neighbors wanted.
     input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
@@ -3096,15 +2999,12 @@ module search_threads (
     output reg  [31:0] start_x,  // Where.
     output reg  [31:0] start_y,  // Where.
     output reg  [31:0] start_z,  // Where.
-    output wire descend_valid,  // Descents from the root.
-    input  wire descend_ready,
+    output wire descend_valid, input wire descend_ready,  // Descents from the root.
     output wire [3:0] descend_thread,  // Thread.
     output wire [14:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    output wire pop_valid,  // Threads that want their next path.
-    input  wire pop_ready,
+    output wire pop_valid, input wire pop_ready,  // Threads that want their next path.
     output wire [3:0] pop_thread,  // Thread.
-    output wire finish_valid,  // Threads whose search is over.
-    input  wire finish_ready,
+    output wire finish_valid, input wire finish_ready,  // Threads whose search is over.
     output wire [3:0] finish_thread,  // Thread.
     input  wire reached_valid,  // A thread's descent ended in a leaf.
     input  wire [3:0] reached_thread,  // Thread.
@@ -3126,7 +3026,7 @@ module search_threads (
     reg [1:0] outstanding_6, outstanding_7, outstanding_8, outstanding_9, outstanding_10, outstanding_11;
     reg [1:0] outstanding_12, outstanding_13, outstanding_14, outstanding_15;
 
-    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire descend_queue_in_ready;
     wire [18:0] descend_queue_out_data;
 
     wire [15:0] free = ~busy & (16'd0 - ~busy);
@@ -3252,7 +3152,6 @@ module search_threads (
     wire [15:0] behind_pop_choice = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
     wire [15:0] behind_finish_choice = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
-    assign descend_valid = descend_queue_out_valid;
     assign {descend_thread, descend_node} = descend_queue_out_data;
     assign pop_valid = pop_shown;
     assign pop_thread = {
@@ -3268,7 +3167,7 @@ module search_threads (
     stream_skid_w19 descend_queue (
         .clk(clk), .rst(rst), .in_valid(start_valid), .in_ready(descend_queue_in_ready),
         .in_data({start_thread, 15'd1}),
-        .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
+        .out_valid(descend_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
     always @(posedge clk) begin

@@ -4,69 +4,55 @@
 // Neighbor search on AXI.
 module search_axi (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output wire s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output wire s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output wire s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output wire s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output wire [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
-    input  wire s_axis_query_tvalid,  // Beats of packets.
-    output wire s_axis_query_tready,
+    input  wire s_axis_query_tvalid, output wire s_axis_query_tready,  // Beats of packets.
     input  wire [63:0] s_axis_query_tdata,  // Its bytes.
     input  wire s_axis_query_tlast,  // Closes its packet.
-    output wire m_axis_result_tvalid,  // Beats of packets.
-    input  wire m_axis_result_tready,
+    output wire m_axis_result_tvalid, input wire m_axis_result_tready,  // Beats of packets.
     output wire [63:0] m_axis_result_tdata,  // Its bytes.
     output wire m_axis_result_tlast,  // Closes its packet.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    input  wire s_axi_awvalid,  // Bursts to be written.
-    output wire s_axi_awready,
+    input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
     input  wire [31:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
-    input  wire s_axi_wvalid,  // Their beats.
-    output wire s_axi_wready,
+    input  wire s_axi_wvalid, output wire s_axi_wready,  // Their beats.
     input  wire [63:0] s_axi_wdata,  // Its bytes.
     input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
     input  wire s_axi_wlast,  // Closes its burst.
-    output wire s_axi_bvalid,  // Answers to bursts.
-    input  wire s_axi_bready,
+    output wire s_axi_bvalid, input wire s_axi_bready,  // Answers to bursts.
     output wire [3:0] s_axi_bid,  // The burst's identifier.
     output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
-    input  wire s_axi_arvalid,  // Bursts wanted.
-    output wire s_axi_arready,
+    input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
     input  wire [31:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
-    output wire s_axi_rvalid,  // Their beats.
-    input  wire s_axi_rready,
+    output wire s_axi_rvalid, input wire s_axi_rready,  // Their beats.
     output wire [3:0] s_axi_rid,  // The burst's identifier.
     output wire [63:0] s_axi_rdata,  // Its bytes.
     output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
@@ -74,6 +60,7 @@ module search_axi (
     output wire irq  // Interrupt.
 );
     reg [31:0] queries_left, answers_left;
+    reg empty_leaf;
     reg [3:0] beat;
 
     wire core_query_ready, core_fetch_valid;
@@ -86,41 +73,21 @@ module search_axi (
     wire [15:0] core_result_index;
     wire [23:0] core_result_distance2;
     wire core_event_node, core_event_pop, core_event_beat, core_event_insert, core_event_insert_wait;
-    wire core_event_thread_wait, registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
-    wire [1:0] registers_s_axil_bresp;
-    wire registers_busy, registers_start, registers_core_reset, registers_s_axil_arready;
-    wire registers_s_axil_rvalid;
-    wire [31:0] registers_s_axil_rdata;
-    wire [1:0] registers_s_axil_rresp;
-    wire registers_irq;
+    wire core_event_thread_wait, registers_busy, registers_start, registers_core_reset, registers_aborts;
     wire [31:0] registers_points_base, registers_queries;
-    wire queries_s_axis_tready, queries_out_valid;
+    wire queries_out_valid;
     wire [15:0] queries_out_number;
     wire [3:0] queries_out_k;
     wire [23:0] queries_out_radius2, queries_out_x, queries_out_y, queries_out_z;
-    wire queries_taken, queries_refused, results_in_ready, results_m_axis_tvalid;
-    wire [63:0] results_m_axis_tdata;
-    wire results_m_axis_tlast, results_sent, results_idle, points_request_ready, points_m_axi_arvalid;
-    wire [3:0] points_m_axi_arid;
-    wire [31:0] points_m_axi_araddr;
-    wire [7:0] points_m_axi_arlen;
-    wire [2:0] points_m_axi_arsize;
-    wire [1:0] points_m_axi_arburst;
-    wire points_m_axi_rready, points_record_valid;
+    wire queries_taken, queries_refused, results_in_ready, results_sent, results_idle, early_end_aborts;
+    wire early_end_ended, points_request_ready, points_record_valid;
     wire [23:0] points_record_x0, points_record_y0, points_record_z0;
     wire points_error, points_misplaced, fetches_in_ready, fetches_out_valid;
     wire [21:0] fetches_out_data;
-    wire tree_s_axi_awready, tree_s_axi_wready, tree_write_valid;
+    wire tree_write_valid;
     wire [6:0] tree_write_index;
     wire [63:0] tree_write_data;
-    wire tree_s_axi_bvalid;
-    wire [3:0] tree_s_axi_bid;
-    wire [1:0] tree_s_axi_bresp;
-    wire tree_refused_busy, tree_occupied, tree_s_axi_arready, tree_s_axi_rvalid;
-    wire [3:0] tree_s_axi_rid;
-    wire [63:0] tree_s_axi_rdata;
-    wire [1:0] tree_s_axi_rresp;
-    wire tree_s_axi_rlast, tree_refused_burst;
+    wire tree_refused_busy, tree_occupied, tree_refused_burst;
 
     wire core_fetch_ready = points_request_ready & fetches_in_ready;
     wire gives_beat = points_record_valid & fetches_out_valid;
@@ -129,47 +96,20 @@ module search_axi (
     wire [3:0] beat_plus_1 = beat + 4'd1;
     wire [3:0] fetches_out_beats = fetches_out_data[3:0];
     wire last_beat = beat_plus_1 == fetches_out_beats;
+    wire registers_finished_both = ~(|answers_left) & ~registers_start & results_idle & ~early_end_aborts;
     wire queries_last_choice = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire quiet = results_idle & ~fetches_out_valid;
     wire [31:0] points_address = registers_points_base + {12'd0, core_fetch_address, 4'd0};
-    wire points_record_ready = core_beat_ready & fetches_out_valid;
-    wire beat_moves = gives_beat & core_beat_ready;
+    wire is_empty = core_fetch_beats == 4'd0;
+    wire [3:0] beats = core_fetch_beats | {3'd0, is_empty};
+    wire points_record_ready_either = core_beat_ready | early_end_aborts;
+    wire points_record_ready = points_record_ready_either & fetches_out_valid;
+    wire beat_moves = gives_beat & points_record_ready_either;
     wire fetches_out_ready = beat_moves & last_beat;
     wire answered = core_result_valid & results_in_ready & core_result_last;
 
-    assign s_axil_awready = registers_s_axil_awready;
-    assign s_axil_wready = registers_s_axil_wready;
-    assign s_axil_bvalid = registers_s_axil_bvalid;
-    assign s_axil_bresp = registers_s_axil_bresp;
-    assign s_axil_arready = registers_s_axil_arready;
-    assign s_axil_rvalid = registers_s_axil_rvalid;
-    assign s_axil_rdata = registers_s_axil_rdata;
-    assign s_axil_rresp = registers_s_axil_rresp;
-    assign s_axis_query_tready = queries_s_axis_tready;
-    assign m_axis_result_tvalid = results_m_axis_tvalid;
-    assign m_axis_result_tdata = results_m_axis_tdata;
-    assign m_axis_result_tlast = results_m_axis_tlast;
-    assign m_axi_arvalid = points_m_axi_arvalid;
-    assign m_axi_arid = points_m_axi_arid;
-    assign m_axi_araddr = points_m_axi_araddr;
-    assign m_axi_arlen = points_m_axi_arlen;
-    assign m_axi_arsize = points_m_axi_arsize;
-    assign m_axi_arburst = points_m_axi_arburst;
-    assign m_axi_rready = points_m_axi_rready;
-    assign s_axi_awready = tree_s_axi_awready;
-    assign s_axi_wready = tree_s_axi_wready;
-    assign s_axi_bvalid = tree_s_axi_bvalid;
-    assign s_axi_bid = tree_s_axi_bid;
-    assign s_axi_bresp = tree_s_axi_bresp;
-    assign s_axi_arready = tree_s_axi_arready;
-    assign s_axi_rvalid = tree_s_axi_rvalid;
-    assign s_axi_rid = tree_s_axi_rid;
-    assign s_axi_rdata = tree_s_axi_rdata;
-    assign s_axi_rresp = tree_s_axi_rresp;
-    assign s_axi_rlast = tree_s_axi_rlast;
-    assign irq = registers_irq;
-
     search_top core (
-        .clk(clk), .rst(rst | registers_core_reset), .tree_valid(tree_write_valid),
+        .clk(clk), .rst(rst | (registers_core_reset | early_end_aborts)), .tree_valid(tree_write_valid),
         .tree_is_leaf(tree_write_index[6]), .tree_address(tree_write_index[5:0]),
         .tree_split(tree_write_data[23:0]), .tree_dimension(tree_write_data[33:32]),
         .tree_internal_leaf(tree_write_data[40]), .tree_begin(tree_write_data[15:0]),
@@ -191,32 +131,31 @@ module search_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
-        .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(tree_occupied),
-        .busy(registers_busy),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(s_axil_bresp),
+        .finished(registers_finished_both | early_end_ended), .occupied(tree_occupied), .busy(registers_busy),
         .start(registers_start), .core_reset(registers_core_reset),
-        .busy_error(tree_refused_busy),
-        .burst_error({points_misplaced, tree_refused_burst}),
+        .aborts(registers_aborts), .busy_error(tree_refused_busy),
+        .burst_error({empty_leaf, points_misplaced, tree_refused_burst}),
         .packet_error(queries_refused),
         .memory_error(points_error),
         .packet_taken(queries_taken), .packet_sent(results_sent),
         .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
         .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
         .event_thread_wait(core_event_thread_wait),
-        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq), .points_base(registers_points_base),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(s_axil_arready), .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(s_axil_rvalid), .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata),
+        .s_axil_rresp(s_axil_rresp),
+        .irq(irq), .points_base(registers_points_base),
         .queries(registers_queries)
     );
 
     bus_packet_in queries (
-        .clk(clk), .rst(rst), .opens(registers_start),
+        .clk(clk), .rst(rst | early_end_aborts), .opens(registers_start),
         .last((queries_left[31:2] == 30'd0) & queries_last_choice), .s_axis_tvalid(s_axis_query_tvalid),
-        .s_axis_tready(queries_s_axis_tready), .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tready(s_axis_query_tready), .s_axis_tdata(s_axis_query_tdata),
         .s_axis_tlast(s_axis_query_tlast),
         .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
         .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
@@ -228,20 +167,24 @@ module search_axi (
         .clk(clk), .rst(rst), .in_valid(core_result_valid), .in_ready(results_in_ready),
         .in_number(core_result_number), .in_last(core_result_last), .in_found(core_result_found),
         .in_index(core_result_index), .in_distance2(core_result_distance2),
-        .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
-        .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
+        .m_axis_tvalid(m_axis_result_tvalid), .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(m_axis_result_tdata), .m_axis_tlast(m_axis_result_tlast),
         .sent(results_sent), .idle(results_idle)
+    );
+
+    bus_abort early_end (
+        .clk(clk), .rst(rst), .asked(registers_aborts), .running(registers_busy), .quiet(quiet),
+        .aborts(early_end_aborts), .ended(early_end_ended)
     );
 
     bus_reader points (
         .clk(clk), .rst(rst), .request_valid(core_fetch_valid & fetches_in_ready),
-        .request_ready(points_request_ready), .request_address(points_address),
-        .request_records(core_fetch_beats),
-        .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
-        .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
-        .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
-        .m_axi_rready(points_m_axi_rready), .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata),
-        .m_axi_rresp(m_axi_rresp), .m_axi_rlast(m_axi_rlast),
+        .request_ready(points_request_ready), .request_address(points_address), .request_records(beats),
+        .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
+        .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
+        .m_axi_arburst(m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(m_axi_rready),
+        .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata), .m_axi_rresp(m_axi_rresp),
+        .m_axi_rlast(m_axi_rlast),
         .record_valid(points_record_valid), .record_ready(points_record_ready), .record_x0(points_record_x0),
         .record_y0(points_record_y0), .record_z0(points_record_z0),
         .error(points_error), .misplaced(points_misplaced)
@@ -249,25 +192,25 @@ module search_axi (
 
     stream_fifo_d16_w22 fetches (
         .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
-        .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
+        .in_data({core_fetch_thread, core_fetch_address, beats}),
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_window tree (
         .clk(clk), .rst(rst), .locked(registers_busy), .s_axi_awvalid(s_axi_awvalid),
-        .s_axi_awready(tree_s_axi_awready), .s_axi_awid(s_axi_awid), .s_axi_awaddr(s_axi_awaddr),
+        .s_axi_awready(s_axi_awready), .s_axi_awid(s_axi_awid), .s_axi_awaddr(s_axi_awaddr),
         .s_axi_awlen(s_axi_awlen), .s_axi_awsize(s_axi_awsize), .s_axi_awburst(s_axi_awburst),
-        .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(tree_s_axi_wready), .s_axi_wdata(s_axi_wdata),
+        .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(s_axi_wready), .s_axi_wdata(s_axi_wdata),
         .s_axi_wstrb(s_axi_wstrb), .s_axi_wlast(s_axi_wlast),
         .write_valid(tree_write_valid), .write_index(tree_write_index), .write_data(tree_write_data),
-        .s_axi_bvalid(tree_s_axi_bvalid), .s_axi_bready(s_axi_bready), .s_axi_bid(tree_s_axi_bid),
-        .s_axi_bresp(tree_s_axi_bresp),
+        .s_axi_bvalid(s_axi_bvalid), .s_axi_bready(s_axi_bready), .s_axi_bid(s_axi_bid),
+        .s_axi_bresp(s_axi_bresp),
         .refused_busy(tree_refused_busy),
-        .occupied(tree_occupied), .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(tree_s_axi_arready),
+        .occupied(tree_occupied), .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(s_axi_arready),
         .s_axi_arid(s_axi_arid), .s_axi_araddr(s_axi_araddr), .s_axi_arlen(s_axi_arlen),
-        .s_axi_arsize(s_axi_arsize), .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(tree_s_axi_rvalid),
-        .s_axi_rready(s_axi_rready), .s_axi_rid(tree_s_axi_rid), .s_axi_rdata(tree_s_axi_rdata),
-        .s_axi_rresp(tree_s_axi_rresp), .s_axi_rlast(tree_s_axi_rlast),
+        .s_axi_arsize(s_axi_arsize), .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(s_axi_rvalid),
+        .s_axi_rready(s_axi_rready), .s_axi_rid(s_axi_rid), .s_axi_rdata(s_axi_rdata),
+        .s_axi_rresp(s_axi_rresp), .s_axi_rlast(s_axi_rlast),
         .refused_burst(tree_refused_burst)
     );
 
@@ -275,10 +218,12 @@ module search_axi (
         if (rst) begin
             queries_left <= 32'd0;
             answers_left <= 32'd0;
+            empty_leaf <= 1'd0;
             beat <= 4'd0;
         end else begin
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
+            empty_leaf <= core_fetch_valid & core_fetch_ready & is_empty;
             if (beat_moves) beat <= last_beat ? 4'd0 : beat_plus_1;
         end
     end
@@ -291,36 +236,31 @@ endmodule
 module bus_window (
     input  wire clk, input wire rst,
     input  wire locked,  // Nothing may be written.
-    input  wire s_axi_awvalid,  // Bursts to be written.
-    output wire s_axi_awready,
+    input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
     input  wire [31:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
-    input  wire s_axi_wvalid,  // Their beats.
-    output wire s_axi_wready,
+    input  wire s_axi_wvalid, output wire s_axi_wready,  // Their beats.
     input  wire [63:0] s_axi_wdata,  // Its bytes.
     input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
     input  wire s_axi_wlast,  // Closes its burst.
     output reg  write_valid,  // Words written.
     output reg  [6:0] write_index,  // Its place.
     output reg  [63:0] write_data,  // The word.
-    output reg  s_axi_bvalid,  // Answers to bursts.
-    input  wire s_axi_bready,
+    output reg  s_axi_bvalid, input wire s_axi_bready,  // Answers to bursts.
     output reg  [3:0] s_axi_bid,  // The burst's identifier.
     output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
     output reg  refused_busy,  // A burst was refused because nothing may be written.
     output wire occupied,  // A burst is being written.
-    input  wire s_axi_arvalid,  // Bursts wanted.
-    output wire s_axi_arready,
+    input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
     input  wire [31:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
-    output reg  s_axi_rvalid,  // Their beats.
-    input  wire s_axi_rready,
+    output reg  s_axi_rvalid, input wire s_axi_rready,  // Their beats.
     output reg  [3:0] s_axi_rid,  // The burst's identifier.
     output wire [63:0] s_axi_rdata,  // Its bytes.
     output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
@@ -468,25 +408,21 @@ endmodule
 // records = 8
 module bus_reader (
     input  wire clk, input wire rst,
-    input  wire request_valid,  // Records wanted.
-    output wire request_ready,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [3:0] request_records,  // How many.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output reg  record_valid,  // The records.
-    input  wire record_ready,
+    output reg  record_valid, input wire record_ready,  // The records.
     output wire [23:0] record_x0,  // A point a lane; NaN where there is none.
     output wire [23:0] record_y0,  // A point a lane; NaN where there is none.
     output wire [23:0] record_z0,  // A point a lane; NaN where there is none.
@@ -500,11 +436,11 @@ module bus_reader (
     reg [23:0] held_x0_0, held_y0_0, held_z0_0;
     reg is_wrong;
 
-    wire address_queue_in_ready, address_queue_out_valid;
+    wire address_queue_in_ready;
     wire [35:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
     wire [7:0] length_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [48:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
@@ -528,13 +464,11 @@ module bus_reader (
     wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
-    assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 4'd0};
     assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
-    assign m_axi_rready = beat_queue_in_ready;
     assign record_x0 = held_x0_0;
     assign record_y0 = held_y0_0;
     assign record_z0 = held_z0_0;
@@ -542,7 +476,7 @@ module bus_reader (
     stream_skid_w36 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
-        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
@@ -552,7 +486,7 @@ module bus_reader (
     );
 
     stream_skid_w49 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
         .in_data({m_axi_rdata[55:32], m_axi_rdata[23:0], m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
@@ -572,7 +506,7 @@ module bus_reader (
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
-            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
             misplaced <= moves & (ends & is_wrong_either);
         end
     end
@@ -736,20 +670,48 @@ module stream_skid_w36 (
 `endif
 endmodule
 
+// Ends a run early: keeps the core in reset until nothing is under way.
+module bus_abort (
+    input  wire clk, input wire rst,
+    input  wire asked,  // The run is to end.
+    input  wire running,  // A run is under way.
+    input  wire quiet,  // Nothing is under way on the buses.
+    output wire aborts,  // The core is to stay in reset, and what still comes to be dropped.
+    output reg  ended  // The run has ended.
+);
+    reg is_aborting;
+    reg [2:0] quiet_cycles;
+
+    wire counts = is_aborting & quiet;
+    wire ends = counts & (quiet_cycles == 3'd7);
+
+    assign aborts = is_aborting;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            is_aborting <= 1'd0;
+            quiet_cycles <= 3'd0;
+            ended <= 1'd0;
+        end else begin
+            is_aborting <= is_aborting ? ~ends : (asked & running);
+            quiet_cycles <= counts ? (quiet_cycles + 3'd1) : 3'd0;
+            ended <= ends;
+        end
+    end
+endmodule
+
 // Spreads records over the beats of packets.
 // beats = 2
 // width = 64
 module bus_packet_out (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Records.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Records.
     input  wire [15:0] in_number,  // The query's number.
     input  wire in_last,  // Closes the query.
     input  wire in_found,  // Low for a query without any neighbor.
     input  wire [15:0] in_index,  // The neighbor's place in the point memory.
     input  wire [23:0] in_distance2,  // Its squared distance.
-    output wire m_axis_tvalid,  // Beats of packets.
-    input  wire m_axis_tready,
+    output wire m_axis_tvalid, input wire m_axis_tready,  // Beats of packets.
     output wire [63:0] m_axis_tdata,  // Its bytes.
     output wire m_axis_tlast,  // Closes its packet.
     output reg  sent,  // A packet was sent.
@@ -761,7 +723,7 @@ module bus_packet_out (
     reg [15:0] held_index;
     reg [23:0] held_distance2;
 
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
@@ -772,14 +734,13 @@ module bus_packet_out (
     wire beat_queue_out_last = beat_queue_out_data[0];
 
     assign in_ready = takes_record;
-    assign m_axis_tvalid = beat_queue_out_valid;
     assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
-    assign idle = ~held & ~beat_queue_out_valid;
+    assign idle = ~held & ~m_axis_tvalid;
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
         .in_data({place ? {40'd0, held_distance2} : beat_queue_in_data_bits, place}),
-        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
+        .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -789,7 +750,7 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            sent <= m_axis_tvalid & m_axis_tready & beat_queue_out_last;
             if (moves) place <= place ? 1'd0 : (place + 1'd1);
         end
     end
@@ -854,12 +815,10 @@ module bus_packet_in (
     input  wire clk, input wire rst,
     input  wire opens,  // A run begins.
     input  wire last,  // The packet that comes next is the run's last, where packets do not say so themselves.
-    input  wire s_axis_tvalid,  // Beats of packets.
-    output wire s_axis_tready,
+    input  wire s_axis_tvalid, output wire s_axis_tready,  // Beats of packets.
     input  wire [63:0] s_axis_tdata,  // Its bytes.
     input  wire s_axis_tlast,  // Closes its packet.
-    output reg  out_valid,  // The records of good packets.
-    input  wire out_ready,
+    output reg  out_valid, input wire out_ready,  // The records of good packets.
     output wire [15:0] out_number,  // Its number, which its results bear.
     output wire [3:0] out_k,  // Neighbors wanted.
     output wire [23:0] out_radius2,  // Squared radius within which neighbors count.
@@ -995,23 +954,21 @@ endmodule
 // registers = 20
 module bus_registers (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output reg  s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output reg  s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
     input  wire finished,  // The run has ended.
     input  wire occupied,  // No run may begin.
     output reg  busy,  // A run is under way.
     output reg  start,  // A run begins.
     output reg  core_reset,  // The core is to be reset.
+    output reg  aborts,  // The run is to end.
     input  wire busy_error,  // Something was refused because a run is under way.
-    input  wire [1:0] burst_error,  // A burst was refused, or ended where it must not.
+    input  wire [2:0] burst_error,  // A burst was refused, or ended where it must not.
     input  wire packet_error,  // A packet was refused.
     input  wire memory_error,  // Memory answered with an error.
     input  wire packet_taken,  // A packet was taken.
@@ -1022,11 +979,9 @@ module bus_registers (
     input  wire event_insert,  // A neighbor was inserted.
     input  wire event_insert_wait,  // A beat stayed for one more insertion.
     input  wire event_thread_wait,  // A query waited for a free thread.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output reg  s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output reg  s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output reg  [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
     output reg  irq,  // Interrupt.
@@ -1049,7 +1004,7 @@ module bus_registers (
     reg void_0;
     reg [6:0] part_1;
     reg void_1;
-    reg [6:0] part_2;
+    reg [7:0] part_2;
     reg void_2;
     reg [5:0] part_3;
     reg void_3;
@@ -1073,7 +1028,7 @@ module bus_registers (
     reg void_12;
     reg [5:0] part_13;
     reg void_13;
-    reg [6:0] part;
+    reg [7:0] part;
     reg is_void;
     reg [31:0] word;
     reg [3:0] round;
@@ -1149,6 +1104,7 @@ module bus_registers (
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
     wire error_either = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
+    wire error_either_2 = error_either | burst_error[1] | burst_error[2] | packet_error | memory_error;
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
@@ -1156,7 +1112,7 @@ module bus_registers (
     wire visits_1 = looks & (visited == 4'd1);
     wire [6:0] refused_busy_plus_busy_error = {6'd0, refused_busy} + {6'd0, busy_error};
     wire visits_2 = looks & (visited == 4'd2);
-    wire [6:0] part_2_sum = {6'd0, burst_error[0]} + {6'd0, burst_error[1]};
+    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]} + {7'd0, burst_error[2]};
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
     wire visits_5 = looks & (visited == 4'd5);
@@ -1184,15 +1140,15 @@ module bus_registers (
     wire visits_13 = looks & (visited == 4'd13);
     wire event_thread_wait_and_busy = event_thread_wait & busy;
     wire [5:0] part_13_bits = {5'd0, event_thread_wait_and_busy};
-    wire [6:0] part_choice = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [6:0] part_choice_2 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [6:0] part_choice_3 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
-    wire [6:0] part_choice_4 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
+    wire [7:0] part_choice = visited[1] ? {2'd0, part_13} : visited[0] ? {2'd0, part_13} : {2'd0, part_12};
+    wire [7:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
+    wire [7:0] part_choice_3 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {2'd0, part_4};
+    wire [7:0] part_choice_4 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
     wire is_void_choice = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
     wire is_void_choice_2 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : is_void_choice;
     wire is_void_choice_3 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
     wire is_void_choice_4 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
-    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
+    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
     wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430b01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
     wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
@@ -1219,6 +1175,7 @@ module bus_registers (
             start <= 1'd0;
             core_reset <= 1'd0;
             clear_errors <= 1'd0;
+            aborts <= 1'd0;
             done <= 1'd0;
             has_read_address <= 1'd0;
             error <= 1'd0;
@@ -1228,7 +1185,7 @@ module bus_registers (
             void_0 <= 1'd1;
             part_1 <= 7'd0;
             void_1 <= 1'd1;
-            part_2 <= 7'd0;
+            part_2 <= 8'd0;
             void_2 <= 1'd1;
             part_3 <= 6'd0;
             void_3 <= 1'd1;
@@ -1265,9 +1222,10 @@ module bus_registers (
             start <= starts;
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
+            aborts <= commands & write_data[3];
             done <= ~starts & (done | (busy & finished));
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= error_either | burst_error[1] | packet_error | memory_error | (error & ~clear_errors);
+            error <= error_either_2 | (error & ~clear_errors);
             adds <= looks;
             part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
             void_0 <= clear_errors | (void_0 & ~visits_0);
@@ -1334,7 +1292,7 @@ module bus_registers (
 `ifdef RTL_ASSERT
     wire [7:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
     wire [7:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
-    wire [7:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
+    wire [8:0] part_2_plus_part_2_sum = {1'd0, part_2} + {1'd0, part_2_sum};
     wire [6:0] part_3_plus_packet_error = {1'd0, part_3} + {6'd0, packet_error};
     wire [6:0] part_4_plus_memory_error = {1'd0, part_4} + {6'd0, memory_error};
     wire [6:0] part_5_plus_busy = {1'd0, part_5} + {6'd0, busy};
@@ -1351,7 +1309,7 @@ module bus_registers (
 `ifdef FORMAL
         part_0_has_room: assert (~part_0_plus_part_0_sum[7]);
         part_1_has_room: assert (~check_sum[7]);
-        part_2_has_room: assert (~part_2_plus_part_2_sum[7]);
+        part_2_has_room: assert (~part_2_plus_part_2_sum[8]);
         part_3_has_room: assert (~part_3_plus_packet_error[6]);
         part_4_has_room: assert (~part_4_plus_memory_error[6]);
         part_5_has_room: assert (~part_5_plus_busy[6]);
@@ -1368,7 +1326,7 @@ module bus_registers (
             $display("assertion failed: part_0_has_room in %m"); $stop;
         end
         if (!(~check_sum[7])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
-        if (!(~part_2_plus_part_2_sum[7])) begin
+        if (!(~part_2_plus_part_2_sum[8])) begin
             $display("assertion failed: part_2_has_room in %m"); $stop;
         end
         if (!(~part_3_plus_packet_error[6])) begin
@@ -1396,7 +1354,7 @@ module bus_registers (
     wire _unused_by_checks = &{
         1'b0, check_sum[6:0], check_sum_2[5:0], check_sum_3[5:0], check_sum_4[5:0], check_sum_5[5:0],
         check_sum_6[5:0], check_sum_7[5:0], check_sum_8[5:0], part_0_plus_part_0_sum[6:0],
-        part_2_plus_part_2_sum[6:0], part_3_plus_packet_error[5:0], part_4_plus_memory_error[5:0],
+        part_2_plus_part_2_sum[7:0], part_3_plus_packet_error[5:0], part_4_plus_memory_error[5:0],
         part_5_plus_busy[5:0], part_9_plus_event_pop_and_busy[5:0]
     };
 `endif

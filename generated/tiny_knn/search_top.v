@@ -12,29 +12,25 @@ module search_top (
     input  wire tree_internal_leaf,  // It is a leaf.
     input  wire [15:0] tree_begin,  // The first beat.
     input  wire [3:0] tree_beats,  // The number of beats, at least one.
-    input  wire query_valid,  // Queries.
-    output wire query_ready,
+    input  wire query_valid, output wire query_ready,  // Queries.
     input  wire [15:0] query_number,  // Its number, which its results bear.
     input  wire [3:0] query_k,  // Neighbors wanted.
     input  wire [23:0] query_radius2,  // Squared radius within which neighbors count.
     input  wire [23:0] query_x,  // Where.
     input  wire [23:0] query_y,  // Where.
     input  wire [23:0] query_z,  // Where.
-    output wire fetch_valid,  // Requests to the memory.
-    input  wire fetch_ready,
+    output wire fetch_valid, input wire fetch_ready,  // Requests to the memory.
     output wire [1:0] fetch_thread,  // Thread.
     output wire [15:0] fetch_address,  // First beat.
     output wire [3:0] fetch_beats,  // Number of beats, at least one.
-    input  wire beat_valid,  // Points from memory: the beats of a request in order and together, requests in any order.
-    output wire beat_ready,
+    input  wire beat_valid, output wire beat_ready,  // Points from memory: the beats of a request in order and together, requests in any order.
     input  wire [1:0] beat_thread,  // Thread.
     input  wire [15:0] beat_address,  // Address in the point memory.
     input  wire beat_last,  // Closes its leaf.
     input  wire [23:0] beat_x0,  // A point a lane; NaN where there is none.
     input  wire [23:0] beat_y0,  // A point a lane; NaN where there is none.
     input  wire [23:0] beat_z0,  // A point a lane; NaN where there is none.
-    output wire result_valid,  // Neighbors, nearest first, a query after the other.
-    input  wire result_ready,
+    output wire result_valid, input wire result_ready,  // Neighbors, nearest first, a query after the other.
     output wire [15:0] result_number,  // The query's number.
     output wire result_last,  // Closes the query.
     output wire result_found,  // Low for a query without any neighbor.
@@ -47,7 +43,7 @@ module search_top (
     output wire event_insert_wait,  // A beat stayed for one more insertion.
     output wire event_thread_wait  // A query waited for a free thread.
 );
-    wire threads_query_ready, threads_start_valid;
+    wire threads_start_valid;
     wire [1:0] threads_start_thread;
     wire [15:0] threads_start_number;
     wire [3:0] threads_start_k;
@@ -59,10 +55,10 @@ module search_top (
     wire [1:0] threads_pop_thread;
     wire threads_finish_valid;
     wire [1:0] threads_finish_thread;
-    wire threads_event_thread_wait, traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
+    wire traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
     wire [1:0] traversal_leaf_thread;
     wire [5:0] traversal_leaf_leaf;
-    wire traversal_event_node, traversal_push_valid;
+    wire traversal_push_valid;
     wire [1:0] traversal_push_thread;
     wire [6:0] traversal_push_node;
     wire [23:0] traversal_push_distance2;
@@ -78,11 +74,7 @@ module search_top (
     wire [1:0] recursion_pop_thread;
     wire recursion_empty_valid;
     wire [1:0] recursion_empty_thread;
-    wire recursion_event_pop, leaf_leaf_ready, leaf_fetch_valid;
-    wire [1:0] leaf_fetch_thread;
-    wire [15:0] leaf_fetch_address;
-    wire [3:0] leaf_fetch_beats;
-    wire leaf_beat_ready, leaf_candidates_valid;
+    wire leaf_leaf_ready, leaf_candidates_valid;
     wire [1:0] leaf_candidates_thread;
     wire [15:0] leaf_candidates_address;
     wire leaf_candidates_last;
@@ -97,36 +89,11 @@ module search_top (
     wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [1:0] queue_radius_thread;
     wire [23:0] queue_radius_radius2;
-    wire queue_event_insert, queue_released_valid;
+    wire queue_released_valid;
     wire [1:0] queue_released_thread;
-    wire queue_result_valid;
-    wire [15:0] queue_result_number;
-    wire queue_result_last, queue_result_found;
-    wire [15:0] queue_result_index;
-    wire [23:0] queue_result_distance2;
-    wire queue_event_beat, queue_event_insert_wait;
-
-    assign query_ready = threads_query_ready;
-    assign fetch_valid = leaf_fetch_valid;
-    assign fetch_thread = leaf_fetch_thread;
-    assign fetch_address = leaf_fetch_address;
-    assign fetch_beats = leaf_fetch_beats;
-    assign beat_ready = leaf_beat_ready;
-    assign result_valid = queue_result_valid;
-    assign result_number = queue_result_number;
-    assign result_last = queue_result_last;
-    assign result_found = queue_result_found;
-    assign result_index = queue_result_index;
-    assign result_distance2 = queue_result_distance2;
-    assign event_node = traversal_event_node;
-    assign event_pop = recursion_event_pop;
-    assign event_beat = queue_event_beat;
-    assign event_insert = queue_event_insert;
-    assign event_insert_wait = queue_event_insert_wait;
-    assign event_thread_wait = threads_event_thread_wait;
 
     search_threads threads (
-        .clk(clk), .rst(rst), .query_valid(query_valid), .query_ready(threads_query_ready),
+        .clk(clk), .rst(rst), .query_valid(query_valid), .query_ready(query_ready),
         .query_number(query_number), .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x),
         .query_y(query_y), .query_z(query_z),
         .start_valid(threads_start_valid), .start_thread(threads_start_thread),
@@ -142,7 +109,7 @@ module search_top (
         .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread),
         .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
         .released_valid(queue_released_valid), .released_thread(queue_released_thread),
-        .event_thread_wait(threads_event_thread_wait)
+        .event_thread_wait(event_thread_wait)
     );
 
     search_traversal traversal (
@@ -158,7 +125,7 @@ module search_top (
         .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
         .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
         .tree_begin(tree_begin), .tree_beats(tree_beats),
-        .event_node(traversal_event_node),
+        .event_node(event_node),
         .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
         .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
         .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread)
@@ -183,7 +150,7 @@ module search_top (
         .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
         .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
         .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
-        .event_pop(recursion_event_pop)
+        .event_pop(event_pop)
     );
 
     search_leaf leaf (
@@ -192,12 +159,12 @@ module search_top (
         .tree_internal_leaf(tree_internal_leaf), .tree_begin(tree_begin), .tree_beats(tree_beats),
         .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
-        .fetch_valid(leaf_fetch_valid), .fetch_ready(fetch_ready), .fetch_thread(leaf_fetch_thread),
-        .fetch_address(leaf_fetch_address), .fetch_beats(leaf_fetch_beats),
+        .fetch_valid(fetch_valid), .fetch_ready(fetch_ready), .fetch_thread(fetch_thread),
+        .fetch_address(fetch_address), .fetch_beats(fetch_beats),
         .start_valid(threads_start_valid), .start_thread(threads_start_thread),
         .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
         .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
-        .beat_valid(beat_valid), .beat_ready(leaf_beat_ready), .beat_thread(beat_thread),
+        .beat_valid(beat_valid), .beat_ready(beat_ready), .beat_thread(beat_thread),
         .beat_address(beat_address), .beat_last(beat_last), .beat_x0(beat_x0), .beat_y0(beat_y0),
         .beat_z0(beat_z0),
         .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
@@ -230,12 +197,12 @@ module search_top (
         .finish_thread(threads_finish_thread),
         .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .event_insert(queue_event_insert),
+        .event_insert(event_insert),
         .released_valid(queue_released_valid), .released_thread(queue_released_thread),
-        .result_valid(queue_result_valid), .result_ready(result_ready), .result_number(queue_result_number),
-        .result_last(queue_result_last), .result_found(queue_result_found), .result_index(queue_result_index),
-        .result_distance2(queue_result_distance2),
-        .event_beat(queue_event_beat), .event_insert_wait(queue_event_insert_wait)
+        .result_valid(result_valid), .result_ready(result_ready), .result_number(result_number),
+        .result_last(result_last), .result_found(result_found), .result_index(result_index),
+        .result_distance2(result_distance2),
+        .event_beat(event_beat), .event_insert_wait(event_insert_wait)
     );
 endmodule
 
@@ -253,14 +220,12 @@ module search_queue (
     input  wire [23:0] start_x,  // Where.
     input  wire [23:0] start_y,  // Where.
     input  wire [23:0] start_z,  // Where.
-    input  wire candidates_valid,  // Squared distances.
-    output wire candidates_ready,
+    input  wire candidates_valid, output wire candidates_ready,  // Squared distances.
     input  wire [1:0] candidates_thread,  // Thread.
     input  wire [15:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
     input  wire [23:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
-    input  wire finish_valid,  // Threads whose search is over.
-    output wire finish_ready,
+    input  wire finish_valid, output wire finish_ready,  // Threads whose search is over.
     input  wire [1:0] finish_thread,  // Thread.
     output reg  radius_valid,  // A thread's radius after a leaf.
     output reg  [1:0] radius_thread,  // Thread.
@@ -268,8 +233,7 @@ module search_queue (
     output reg  event_insert,  // A neighbor was inserted.
     output reg  released_valid,  // A thread whose results are safe.
     output reg  [1:0] released_thread,  // Thread.
-    output wire result_valid,  // Neighbors, nearest first.
-    input  wire result_ready,
+    output wire result_valid, input wire result_ready,  // Neighbors, nearest first.
     output wire [15:0] result_number,  // The query's number.
     output wire result_last,  // Closes the query.
     output wire result_found,  // Low for a query without any neighbor.
@@ -316,7 +280,7 @@ module search_queue (
     reg [15:0] sent_number;
     reg [3:0] position;
 
-    wire finish_queue_in_ready, finish_queue_out_valid;
+    wire finish_queue_out_valid;
     wire [1:0] finish_queue_out_data;
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
@@ -440,7 +404,6 @@ module search_queue (
     wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [23:0] query_radius2 = query_radii[candidates_thread];
 
-    assign finish_ready = finish_queue_in_ready;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -464,8 +427,7 @@ module search_queue (
     );
 
     stream_skid_w2 finish_queue (
-        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_queue_in_ready),
-        .in_data(finish_thread),
+        .clk(clk), .rst(rst), .in_valid(finish_valid), .in_ready(finish_ready), .in_data(finish_thread),
         .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
@@ -611,14 +573,12 @@ module search_sieve (
     input  wire radius_valid,  // A thread's new radius.
     input  wire [1:0] radius_thread,  // Thread.
     input  wire [23:0] radius_radius2,  // Squared radius.
-    input  wire candidates_valid,  // Squared distances; the beats of a leaf come together.
-    output wire candidates_ready,
+    input  wire candidates_valid, output wire candidates_ready,  // Squared distances; the beats of a leaf come together.
     input  wire [1:0] candidates_thread,  // Thread.
     input  wire [15:0] candidates_address,  // Address in the point memory.
     input  wire candidates_last,  // Closes its leaf.
     input  wire [23:0] candidates_distance0,  // A squared distance a lane; NaN where there is no point.
-    output wire kept_valid,  // Beats with a point that is near enough.
-    input  wire kept_ready,
+    output wire kept_valid, input wire kept_ready,  // Beats with a point that is near enough.
     output wire [1:0] kept_thread,  // Thread.
     output wire [15:0] kept_address,  // Address in the point memory.
     output wire kept_last,  // Closes its leaf.
@@ -647,9 +607,9 @@ module search_sieve (
     reg [15:0] held_address;
     reg [23:0] held_distance0;
 
-    wire candidates_queue_in_ready, candidates_queue_out_valid;
+    wire candidates_queue_out_valid;
     wire [42:0] candidates_queue_out_data;
-    wire kept_queue_in_ready, kept_queue_out_valid;
+    wire kept_queue_in_ready;
     wire [42:0] kept_queue_out_data;
 
     wire closed = held_valid & held_last;
@@ -678,12 +638,10 @@ module search_sieve (
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
-    assign candidates_ready = candidates_queue_in_ready;
-    assign kept_valid = kept_queue_out_valid;
     assign {kept_thread, kept_address, kept_last, kept_distance0} = kept_queue_out_data;
 
     stream_skid_w43 candidates_queue (
-        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(candidates_valid), .in_ready(candidates_ready),
         .in_data({candidates_thread, candidates_address, candidates_last, candidates_distance0}),
         .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
@@ -691,7 +649,7 @@ module search_sieve (
     stream_fifo_d4_w43 kept_queue (
         .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(kept_queue_in_ready),
         .in_data({held_thread, held_address, held_last, held_distance0}),
-        .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
+        .out_valid(kept_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -807,12 +765,10 @@ module search_leaf (
     input  wire tree_internal_leaf,  // It is a leaf.
     input  wire [15:0] tree_begin,  // The first beat.
     input  wire [3:0] tree_beats,  // The number of beats, at least one.
-    input  wire leaf_valid,  // Leaves reached.
-    output wire leaf_ready,
+    input  wire leaf_valid, output wire leaf_ready,  // Leaves reached.
     input  wire [1:0] leaf_thread,  // Thread.
     input  wire [5:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
-    output wire fetch_valid,  // Requests to the memory.
-    input  wire fetch_ready,
+    output wire fetch_valid, input wire fetch_ready,  // Requests to the memory.
     output wire [1:0] fetch_thread,  // Thread.
     output wire [15:0] fetch_address,  // First beat.
     output wire [3:0] fetch_beats,  // Number of beats, at least one.
@@ -824,16 +780,14 @@ module search_leaf (
     input  wire [23:0] start_x,  // Where.
     input  wire [23:0] start_y,  // Where.
     input  wire [23:0] start_z,  // Where.
-    input  wire beat_valid,  // Points from memory.
-    output wire beat_ready,
+    input  wire beat_valid, output wire beat_ready,  // Points from memory.
     input  wire [1:0] beat_thread,  // Thread.
     input  wire [15:0] beat_address,  // Address in the point memory.
     input  wire beat_last,  // Closes its leaf.
     input  wire [23:0] beat_x0,  // A point a lane; NaN where there is none.
     input  wire [23:0] beat_y0,  // A point a lane; NaN where there is none.
     input  wire [23:0] beat_z0,  // A point a lane; NaN where there is none.
-    output wire candidates_valid,  // Their squared distances.
-    input  wire candidates_ready,
+    output wire candidates_valid, input wire candidates_ready,  // Their squared distances.
     output wire [1:0] candidates_thread,  // Thread.
     output wire [15:0] candidates_address,  // Address in the point memory.
     output wire candidates_last,  // Closes its leaf.
@@ -853,17 +807,13 @@ module search_leaf (
     reg [23:0] points_z0;  // A point a lane; NaN where there is none.
     wire [71:0] query;
 
-    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire leaf_queue_out_valid;
     wire [7:0] leaf_queue_out_data;
-    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire fetch_queue_in_ready;
     wire [21:0] fetch_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [90:0] beat_queue_out_data;
-    wire distance_in_ready, distance_out_valid;
-    wire [1:0] distance_out_thread;
-    wire [15:0] distance_out_address;
-    wire distance_out_last;
-    wire [23:0] distance_out_distance0;
+    wire distance_in_ready;
 
     wire writes_leaf = tree_valid & tree_is_leaf;
     wire table_advance = ~f1_valid | fetch_queue_in_ready;
@@ -877,15 +827,7 @@ module search_leaf (
     wire [23:0] beat_queue_out_y0 = beat_queue_out_data[47:24];
     wire [23:0] beat_queue_out_z0 = beat_queue_out_data[23:0];
 
-    assign leaf_ready = leaf_queue_in_ready;
-    assign fetch_valid = fetch_queue_out_valid;
     assign {fetch_thread, fetch_address, fetch_beats} = fetch_queue_out_data;
-    assign beat_ready = beat_queue_in_ready;
-    assign candidates_valid = distance_out_valid;
-    assign candidates_thread = distance_out_thread;
-    assign candidates_address = distance_out_address;
-    assign candidates_last = distance_out_last;
-    assign candidates_distance0 = distance_out_distance0;
 
     memory_1w1r_unordered #(.WIDTH(20), .DEPTH(64)) leaves (
         .clk(clk), .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
@@ -899,7 +841,7 @@ module search_leaf (
     );
 
     stream_skid_w8 leaf_queue (
-        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(leaf_valid), .in_ready(leaf_ready),
         .in_data({leaf_thread, leaf_leaf}),
         .out_valid(leaf_queue_out_valid), .out_ready(table_advance), .out_data(leaf_queue_out_data)
     );
@@ -907,11 +849,11 @@ module search_leaf (
     stream_skid_w22 fetch_queue (
         .clk(clk), .rst(rst), .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
         .in_data({f1_thread, f1_begin, f1_beats}),
-        .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
+        .out_valid(fetch_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w91 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(beat_valid), .in_ready(beat_ready),
         .in_data({beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0}),
         .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
     );
@@ -920,9 +862,8 @@ module search_leaf (
         .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
         .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
         .in_z0(points_z0), .in_query_x(query[71:48]), .in_query_y(query[47:24]), .in_query_z(query[23:0]),
-        .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
-        .out_address(distance_out_address), .out_last(distance_out_last),
-        .out_distance0(distance_out_distance0)
+        .out_valid(candidates_valid), .out_ready(candidates_ready), .out_thread(candidates_thread),
+        .out_address(candidates_address), .out_last(candidates_last), .out_distance0(candidates_distance0)
     );
 
     always @(posedge clk) begin
@@ -992,7 +933,6 @@ module search_distance (
     reg [18:0] delay_22_from_0_out;
     reg [21:0] in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [42:0] queue_out_data;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
@@ -1001,53 +941,50 @@ module search_distance (
     wire [15:0] address_d22 = delay_22_from_0_out[17:2];
     wire last_d22 = delay_22_from_0_out[18];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_thread, out_address, out_last, out_distance0} = queue_out_data;
 
     stream_skid_w43 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[21]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[21]), .in_ready(in_ready),
         .in_data({thread_d22, address_d22, last_d22, add_f24_ftz_unit_copy5_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}),
+        .clk(clk), .enable(in_ready), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
+        .clk(clk), .enable(in_ready), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
+        .clk(clk), .enable(in_ready), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
@@ -1056,21 +993,21 @@ module search_distance (
             delay_6_from_0_pointer <= 3'd0;
             delay_22_from_0_pointer <= 5'd0;
             in_flight <= 22'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
             in_flight <= {in_flight[20:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
-        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_22_from_0[delay_22_from_0_pointer] <= {in_last, in_address, in_thread};
         end
-        if (queue_in_ready) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
+        if (in_ready) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
 endmodule
 
@@ -1218,14 +1155,12 @@ module search_recursion (
     input  wire radius_valid,  // A thread's new radius.
     input  wire [1:0] radius_thread,  // Thread.
     input  wire [23:0] radius_radius2,  // Squared radius.
-    input  wire in_valid,  // Threads that want their next path.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Threads that want their next path.
     input  wire [1:0] in_thread,  // Thread.
     input  wire top_empty,  // The stack of the last pop was empty.
     input  wire [6:0] top_node,  // The subtree's root.
     input  wire [23:0] top_distance2,  // Squared distance of the query to the splitting plane before it.
-    output wire resume_valid,  // Descents from a path that was not taken before.
-    input  wire resume_ready,
+    output wire resume_valid, input wire resume_ready,  // Descents from a path that was not taken before.
     output wire [1:0] resume_thread,  // Thread.
     output wire [6:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
     output wire pop_valid,  // A thread that wants its last path back.
@@ -1246,9 +1181,9 @@ module search_recursion (
     reg [3:0] from_leaf;
     reg [23:0] radius2;
 
-    wire in_queue_in_ready, in_queue_out_valid;
+    wire in_queue_out_valid;
     wire [1:0] in_queue_out_data;
-    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire resume_queue_in_ready;
     wire [8:0] resume_queue_out_data;
 
     wire advance = ~r2_valid | resume_queue_in_ready;
@@ -1269,21 +1204,19 @@ module search_recursion (
     wire [23:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [23:0] query_radius2 = query_radii[r1_thread];
 
-    assign in_ready = in_queue_in_ready;
-    assign resume_valid = resume_queue_out_valid;
     assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
     assign pop_thread = r0_thread;
 
     stream_skid_w2 in_queue (
-        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_data(in_thread),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
         .clk(clk), .rst(rst), .in_valid(popped & nearer), .in_ready(resume_queue_in_ready),
         .in_data({r2_thread, path_node}),
-        .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
+        .out_valid(resume_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1450,16 +1383,13 @@ module search_traversal (
     input  wire [23:0] start_x,  // Where.
     input  wire [23:0] start_y,  // Where.
     input  wire [23:0] start_z,  // Where.
-    input  wire descend_valid,  // Descents from the root.
-    output wire descend_ready,
+    input  wire descend_valid, output wire descend_ready,  // Descents from the root.
     input  wire [1:0] descend_thread,  // Thread.
     input  wire [6:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    input  wire resume_valid,  // Descents from a path that was not taken before.
-    output wire resume_ready,
+    input  wire resume_valid, output wire resume_ready,  // Descents from a path that was not taken before.
     input  wire [1:0] resume_thread,  // Thread.
     input  wire [6:0] resume_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    output wire leaf_valid,  // Leaves reached.
-    input  wire leaf_ready,
+    output wire leaf_valid, input wire leaf_ready,  // Leaves reached.
     output wire [1:0] leaf_thread,  // Thread.
     output wire [5:0] leaf_leaf,  // The leaf's number among those of the deepest level (eq. 6.7).
     input  wire tree_valid,  // Write to the node memory.
@@ -1495,17 +1425,13 @@ module search_traversal (
     reg v_internal_leaf;
     wire [71:0] query;
 
-    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire descend_queue_out_valid;
     wire [8:0] descend_queue_out_data;
-    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire resume_queue_out_valid;
     wire [8:0] resume_queue_out_data;
-    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire leaf_queue_in_ready;
     wire [7:0] leaf_queue_out_data;
-    wire path_in_ready, path_out_valid, path_out_is_leaf;
-    wire [1:0] path_out_thread;
-    wire [6:0] path_out_node;
-    wire [23:0] path_out_distance2;
-    wire less_y;
+    wire path_in_ready, path_out_valid, path_out_is_leaf, less_y;
 
     wire writes_odd_both = tree_valid & ~tree_is_leaf;
     wire writes_even = writes_odd_both & ~tree_address[0];
@@ -1533,16 +1459,10 @@ module search_traversal (
     wire [1:0] f_thread_choice = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
     wire v_node_choice = f_is_child ? ~less_y : f_node[0];
 
-    assign descend_ready = descend_queue_in_ready;
-    assign resume_ready = resume_queue_in_ready;
-    assign leaf_valid = leaf_queue_out_valid;
     assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
-    assign push_thread = path_out_thread;
-    assign push_node = path_out_node;
-    assign push_distance2 = path_out_distance2;
     assign reached_valid = path_out_valid & path_out_is_leaf;
-    assign reached_thread = path_out_thread;
+    assign reached_thread = push_thread;
 
     memory_1w1r_unordered #(.WIDTH(27), .DEPTH(32)) even_nodes (
         .clk(clk), .write(writes_even), .write_address(tree_address[5:1]), .write_data(even_nodes_data_bits),
@@ -1561,14 +1481,14 @@ module search_traversal (
     );
 
     stream_skid_w9 descend_queue (
-        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(descend_valid), .in_ready(descend_ready),
         .in_data({descend_thread, descend_node}),
         .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
         .out_data(descend_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
-        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(resume_valid), .in_ready(resume_ready),
         .in_data({resume_thread, resume_node}),
         .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
         .out_data(resume_queue_out_data)
@@ -1577,7 +1497,7 @@ module search_traversal (
     stream_skid_w8 leaf_queue (
         .clk(clk), .rst(rst), .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready),
         .in_data({v_thread, leaf_queue_in_data_choice_3[5:0]}),
-        .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
+        .out_valid(leaf_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
@@ -1585,7 +1505,7 @@ module search_traversal (
         .in_thread(s_thread), .in_node({s_node[5:0], less_y}), .in_coordinate(s_coordinate),
         .in_split(s_split),
         .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
-        .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
+        .out_thread(push_thread), .out_node(push_node), .out_distance2(push_distance2)
     );
 
     float_lt_s1_f24ftz less (
@@ -1667,7 +1587,6 @@ module search_path (
     reg [3:0] delay_10_from_0_pointer;
     reg [9:0] delay_10_from_0_out, in_flight;
 
-    wire queue_in_ready, queue_out_valid;
     wire [33:0] queue_out_data;
     wire [23:0] add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
 
@@ -1675,40 +1594,37 @@ module search_path (
     wire [1:0] thread_d10 = delay_10_from_0_out[2:1];
     wire [6:0] node_d10 = delay_10_from_0_out[9:3];
 
-    assign in_ready = queue_in_ready;
-    assign out_valid = queue_out_valid;
     assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w34 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
         .in_data({is_leaf_d10, thread_d10, node_d10, mul_f24_ftz_unit_y}),
-        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
+        .clk(clk), .enable(in_ready), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
-        .y(mul_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y), .y(mul_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_10_from_0_pointer <= 4'd0;
             in_flight <= 10'd0;
-        end else if (queue_in_ready) begin
+        end else if (in_ready) begin
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             in_flight <= {in_flight[8:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
+        if (in_ready) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         end
-        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 endmodule
 
@@ -1968,8 +1884,7 @@ endmodule
 // leaves_in_flight = 1
 module search_threads (
     input  wire clk, input wire rst,
-    input  wire query_valid,  // Queries.
-    output wire query_ready,
+    input  wire query_valid, output wire query_ready,  // Queries.
     input  wire [15:0] query_number,  // Its number, which its results bear.
     input  wire [3:0] query_k,  // Neighbors wanted.
     input  wire [23:0] query_radius2,  // Squared radius within which neighbors count.
@@ -1984,15 +1899,12 @@ module search_threads (
     output reg  [23:0] start_x,  // Where.
     output reg  [23:0] start_y,  // Where.
     output reg  [23:0] start_z,  // Where.
-    output wire descend_valid,  // Descents from the root.
-    input  wire descend_ready,
+    output wire descend_valid, input wire descend_ready,  // Descents from the root.
     output wire [1:0] descend_thread,  // Thread.
     output wire [6:0] descend_node,  // Node: 1 is the root, `2i` and `2i + 1` are the children of `i`.
-    output wire pop_valid,  // Threads that want their next path.
-    input  wire pop_ready,
+    output wire pop_valid, input wire pop_ready,  // Threads that want their next path.
     output wire [1:0] pop_thread,  // Thread.
-    output wire finish_valid,  // Threads whose search is over.
-    input  wire finish_ready,
+    output wire finish_valid, input wire finish_ready,  // Threads whose search is over.
     output wire [1:0] finish_thread,  // Thread.
     input  wire reached_valid,  // A thread's descent ended in a leaf.
     input  wire [1:0] reached_thread,  // Thread.
@@ -2011,7 +1923,7 @@ module search_threads (
     reg [3:0] behind_finish, chosen_finish;
     reg finish_shown, outstanding_0, outstanding_1, outstanding_2, outstanding_3;
 
-    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire descend_queue_in_ready;
     wire [8:0] descend_queue_out_data;
 
     wire [3:0] free = ~busy & (4'd0 - ~busy);
@@ -2068,7 +1980,6 @@ module search_threads (
     wire [3:0] behind_pop_choice = pop_from_next ? (pop_next ^ pop_below_next) : (wants_pop ^ pop_below_any);
     wire [3:0] behind_finish_choice = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
-    assign descend_valid = descend_queue_out_valid;
     assign {descend_thread, descend_node} = descend_queue_out_data;
     assign pop_valid = pop_shown;
     assign pop_thread = {|(chosen_pop & 4'd12), |(chosen_pop & 4'd10)};
@@ -2078,7 +1989,7 @@ module search_threads (
     stream_skid_w9 descend_queue (
         .clk(clk), .rst(rst), .in_valid(start_valid), .in_ready(descend_queue_in_ready),
         .in_data({start_thread, 7'd1}),
-        .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
+        .out_valid(descend_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
     always @(posedge clk) begin

@@ -4,53 +4,42 @@
 // Neighbor search on AXI.
 module search_axi (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output wire s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output wire s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output wire s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output wire s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output wire [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
-    input  wire s_axis_query_tvalid,  // Beats of packets.
-    output wire s_axis_query_tready,
+    input  wire s_axis_query_tvalid, output wire s_axis_query_tready,  // Beats of packets.
     input  wire [63:0] s_axis_query_tdata,  // Its bytes.
     input  wire s_axis_query_tlast,  // Closes its packet.
-    output wire m_axis_result_tvalid,  // Beats of packets.
-    input  wire m_axis_result_tready,
+    output wire m_axis_result_tvalid, input wire m_axis_result_tready,  // Beats of packets.
     output wire [63:0] m_axis_result_tdata,  // Its bytes.
     output wire m_axis_result_tlast,  // Closes its packet.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output wire m_axi_tree_arvalid,  // Bursts wanted.
-    input  wire m_axi_tree_arready,
+    output wire m_axi_tree_arvalid, input wire m_axi_tree_arready,  // Bursts wanted.
     output wire [3:0] m_axi_tree_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_tree_araddr,  // Its first byte.
     output wire [7:0] m_axi_tree_arlen,  // One less than its beats.
     output wire [2:0] m_axi_tree_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_tree_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_tree_rvalid,  // Their beats.
-    output wire m_axi_tree_rready,
+    input  wire m_axi_tree_rvalid, output wire m_axi_tree_rready,  // Their beats.
     input  wire [3:0] m_axi_tree_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_tree_rdata,  // Its bytes.
     input  wire [1:0] m_axi_tree_rresp,  // Whether all is well: 0 if so.
@@ -59,6 +48,7 @@ module search_axi (
 );
     reg sets_up;
     reg [31:0] queries_left, answers_left;
+    reg empty_leaf;
     reg [2:0] beat;
 
     wire core_lookup_valid;
@@ -76,41 +66,22 @@ module search_axi (
     wire core_result_cached, core_event_node, core_event_pop, core_event_beat, core_event_insert;
     wire core_event_insert_wait, core_event_thread_wait, core_event_point_hit, core_event_point_miss;
     wire core_event_tree_hit, core_event_tree_miss, core_event_cache_hit, core_event_cache_miss;
-    wire registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
-    wire [1:0] registers_s_axil_bresp;
-    wire registers_busy, registers_start, registers_core_reset, registers_s_axil_arready;
-    wire registers_s_axil_rvalid;
-    wire [31:0] registers_s_axil_rdata;
-    wire [1:0] registers_s_axil_rresp;
-    wire registers_irq;
+    wire registers_busy, registers_start, registers_core_reset, registers_aborts;
     wire [31:0] registers_points_base, registers_tree_base, registers_queries;
     wire registers_cache_ball;
     wire [31:0] registers_cache_far_scale, registers_cache_margin_scale;
-    wire queries_s_axis_tready, queries_out_valid;
+    wire queries_out_valid;
     wire [23:0] queries_out_number;
     wire [5:0] queries_out_k;
     wire [31:0] queries_out_radius2, queries_out_x, queries_out_y, queries_out_z, queries_out_reach;
-    wire queries_taken, queries_refused, results_in_ready, results_m_axis_tvalid;
-    wire [63:0] results_m_axis_tdata;
-    wire results_m_axis_tlast, results_sent, results_idle, points_request_ready, points_m_axi_arvalid;
-    wire [3:0] points_m_axi_arid;
-    wire [31:0] points_m_axi_araddr;
-    wire [7:0] points_m_axi_arlen;
-    wire [2:0] points_m_axi_arsize;
-    wire [1:0] points_m_axi_arburst;
-    wire points_m_axi_rready, points_record_valid;
+    wire queries_taken, queries_refused, results_in_ready, results_sent, results_idle, early_end_aborts;
+    wire early_end_ended, points_request_ready, points_record_valid;
     wire [31:0] points_record_x0, points_record_y0, points_record_z0, points_record_x1, points_record_y1;
     wire [31:0] points_record_z1, points_record_x2, points_record_y2, points_record_z2, points_record_x3;
     wire [31:0] points_record_y3, points_record_z3;
     wire points_error, points_misplaced, fetches_in_ready, fetches_out_valid;
     wire [28:0] fetches_out_data;
-    wire tree_request_ready, tree_m_axi_arvalid;
-    wire [3:0] tree_m_axi_arid;
-    wire [31:0] tree_m_axi_araddr;
-    wire [7:0] tree_m_axi_arlen;
-    wire [2:0] tree_m_axi_arsize;
-    wire [1:0] tree_m_axi_arburst;
-    wire tree_m_axi_rready, tree_record_valid;
+    wire tree_request_ready, tree_record_valid;
     wire [63:0] tree_record_word;
     wire tree_error, tree_misplaced, lookups_in_ready, lookups_out_valid;
     wire [24:0] lookups_out_data;
@@ -126,46 +97,24 @@ module search_axi (
     wire [2:0] beat_plus_1 = beat + 3'd1;
     wire [2:0] fetches_out_beats = fetches_out_data[2:0];
     wire last_beat = beat_plus_1 == fetches_out_beats;
+    wire registers_finished_both = ~(|answers_left) & ~registers_start & results_idle & ~early_end_aborts;
     wire queries_last_choice = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire quiet = results_idle & (~fetches_out_valid & ~lookups_out_valid);
     wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
-    wire points_record_ready = core_beat_ready & fetches_out_valid;
-    wire beat_moves = gives_beat & core_beat_ready;
+    wire is_empty = core_fetch_beats == 3'd0;
+    wire [2:0] beats = core_fetch_beats | {2'd0, is_empty};
+    wire points_record_ready_either = core_beat_ready | early_end_aborts;
+    wire points_record_ready = points_record_ready_either & fetches_out_valid;
+    wire beat_moves = gives_beat & points_record_ready_either;
     wire fetches_out_ready = beat_moves & last_beat;
     wire [31:0] tree_address = registers_tree_base + {8'd0, core_lookup_address, 3'd0};
-    wire tree_record_ready = core_record_ready & lookups_out_valid;
-    wire lookups_out_ready = core_record_ready & tree_record_valid;
+    wire tree_record_ready_either = core_record_ready | early_end_aborts;
+    wire tree_record_ready = tree_record_ready_either & lookups_out_valid;
+    wire lookups_out_ready = tree_record_ready_either & tree_record_valid;
     wire answered = core_result_valid & results_in_ready & core_result_last;
 
-    assign s_axil_awready = registers_s_axil_awready;
-    assign s_axil_wready = registers_s_axil_wready;
-    assign s_axil_bvalid = registers_s_axil_bvalid;
-    assign s_axil_bresp = registers_s_axil_bresp;
-    assign s_axil_arready = registers_s_axil_arready;
-    assign s_axil_rvalid = registers_s_axil_rvalid;
-    assign s_axil_rdata = registers_s_axil_rdata;
-    assign s_axil_rresp = registers_s_axil_rresp;
-    assign s_axis_query_tready = queries_s_axis_tready;
-    assign m_axis_result_tvalid = results_m_axis_tvalid;
-    assign m_axis_result_tdata = results_m_axis_tdata;
-    assign m_axis_result_tlast = results_m_axis_tlast;
-    assign m_axi_arvalid = points_m_axi_arvalid;
-    assign m_axi_arid = points_m_axi_arid;
-    assign m_axi_araddr = points_m_axi_araddr;
-    assign m_axi_arlen = points_m_axi_arlen;
-    assign m_axi_arsize = points_m_axi_arsize;
-    assign m_axi_arburst = points_m_axi_arburst;
-    assign m_axi_rready = points_m_axi_rready;
-    assign m_axi_tree_arvalid = tree_m_axi_arvalid;
-    assign m_axi_tree_arid = tree_m_axi_arid;
-    assign m_axi_tree_araddr = tree_m_axi_araddr;
-    assign m_axi_tree_arlen = tree_m_axi_arlen;
-    assign m_axi_tree_arsize = tree_m_axi_arsize;
-    assign m_axi_tree_arburst = tree_m_axi_arburst;
-    assign m_axi_tree_rready = tree_m_axi_rready;
-    assign irq = registers_irq;
-
     search_top core (
-        .clk(clk), .rst(rst | registers_core_reset), .lookup_valid(core_lookup_valid),
+        .clk(clk), .rst(rst | (registers_core_reset | early_end_aborts)), .lookup_valid(core_lookup_valid),
         .lookup_ready(core_lookup_ready), .lookup_thread(core_lookup_thread),
         .lookup_address(core_lookup_address),
         .record_valid(gives_record), .record_ready(core_record_ready), .record_thread(lookups_out_thread),
@@ -197,13 +146,13 @@ module search_axi (
     );
 
     bus_registers registers (
-        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
-        .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(1'd0), .busy(registers_busy),
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(s_axil_bresp),
+        .finished(registers_finished_both | early_end_ended), .occupied(1'd0), .busy(registers_busy),
         .start(registers_start), .core_reset(registers_core_reset),
-        .burst_error({points_misplaced, tree_misplaced}),
+        .aborts(registers_aborts), .burst_error({empty_leaf, points_misplaced, tree_misplaced}),
         .packet_error(queries_refused),
         .memory_error({points_error, tree_error}),
         .packet_taken(queries_taken), .packet_sent(results_sent),
@@ -213,19 +162,19 @@ module search_axi (
         .event_point_miss(core_event_point_miss), .event_tree_hit(core_event_tree_hit),
         .event_tree_miss(core_event_tree_miss), .event_cache_hit(core_event_cache_hit),
         .event_cache_miss(core_event_cache_miss),
-        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
-        .irq(registers_irq), .points_base(registers_points_base),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(s_axil_arready), .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(s_axil_rvalid), .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata),
+        .s_axil_rresp(s_axil_rresp),
+        .irq(irq), .points_base(registers_points_base),
         .tree_base(registers_tree_base),
         .queries(registers_queries), .cache_ball(registers_cache_ball),
         .cache_far_scale(registers_cache_far_scale), .cache_margin_scale(registers_cache_margin_scale)
     );
 
     bus_packet_in queries (
-        .clk(clk), .rst(rst), .opens(registers_start),
+        .clk(clk), .rst(rst | early_end_aborts), .opens(registers_start),
         .last((queries_left[31:2] == 30'd0) & queries_last_choice), .s_axis_tvalid(s_axis_query_tvalid),
-        .s_axis_tready(queries_s_axis_tready), .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tready(s_axis_query_tready), .s_axis_tdata(s_axis_query_tdata),
         .s_axis_tlast(s_axis_query_tlast),
         .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
         .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
@@ -237,20 +186,24 @@ module search_axi (
         .clk(clk), .rst(rst), .in_valid(core_result_valid), .in_ready(results_in_ready),
         .in_number(core_result_number), .in_last(core_result_last), .in_found(core_result_found),
         .in_index(core_result_index), .in_distance2(core_result_distance2), .in_cached(core_result_cached),
-        .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
-        .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
+        .m_axis_tvalid(m_axis_result_tvalid), .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(m_axis_result_tdata), .m_axis_tlast(m_axis_result_tlast),
         .sent(results_sent), .idle(results_idle)
+    );
+
+    bus_abort early_end (
+        .clk(clk), .rst(rst), .asked(registers_aborts), .running(registers_busy), .quiet(quiet),
+        .aborts(early_end_aborts), .ended(early_end_ended)
     );
 
     bus_reader points (
         .clk(clk), .rst(rst), .request_valid(core_fetch_valid & fetches_in_ready),
-        .request_ready(points_request_ready), .request_address(points_address),
-        .request_records(core_fetch_beats),
-        .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
-        .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
-        .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
-        .m_axi_rready(points_m_axi_rready), .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata),
-        .m_axi_rresp(m_axi_rresp), .m_axi_rlast(m_axi_rlast),
+        .request_ready(points_request_ready), .request_address(points_address), .request_records(beats),
+        .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
+        .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
+        .m_axi_arburst(m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(m_axi_rready),
+        .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata), .m_axi_rresp(m_axi_rresp),
+        .m_axi_rlast(m_axi_rlast),
         .record_valid(points_record_valid), .record_ready(points_record_ready), .record_x0(points_record_x0),
         .record_y0(points_record_y0), .record_z0(points_record_z0), .record_x1(points_record_x1),
         .record_y1(points_record_y1), .record_z1(points_record_z1), .record_x2(points_record_x2),
@@ -261,17 +214,17 @@ module search_axi (
 
     stream_fifo_d16_w29 fetches (
         .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
-        .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
+        .in_data({core_fetch_thread, core_fetch_address, beats}),
         .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_reader_v2 tree (
         .clk(clk), .rst(rst), .request_valid(core_lookup_valid & lookups_in_ready),
         .request_ready(tree_request_ready), .request_address(tree_address), .request_records(1'd1),
-        .m_axi_arvalid(tree_m_axi_arvalid), .m_axi_arready(m_axi_tree_arready), .m_axi_arid(tree_m_axi_arid),
-        .m_axi_araddr(tree_m_axi_araddr), .m_axi_arlen(tree_m_axi_arlen), .m_axi_arsize(tree_m_axi_arsize),
-        .m_axi_arburst(tree_m_axi_arburst), .m_axi_rvalid(m_axi_tree_rvalid),
-        .m_axi_rready(tree_m_axi_rready), .m_axi_rid(m_axi_tree_rid), .m_axi_rdata(m_axi_tree_rdata),
+        .m_axi_arvalid(m_axi_tree_arvalid), .m_axi_arready(m_axi_tree_arready), .m_axi_arid(m_axi_tree_arid),
+        .m_axi_araddr(m_axi_tree_araddr), .m_axi_arlen(m_axi_tree_arlen), .m_axi_arsize(m_axi_tree_arsize),
+        .m_axi_arburst(m_axi_tree_arburst), .m_axi_rvalid(m_axi_tree_rvalid),
+        .m_axi_rready(m_axi_tree_rready), .m_axi_rid(m_axi_tree_rid), .m_axi_rdata(m_axi_tree_rdata),
         .m_axi_rresp(m_axi_tree_rresp), .m_axi_rlast(m_axi_tree_rlast),
         .record_valid(tree_record_valid), .record_ready(tree_record_ready), .record_word(tree_record_word),
         .error(tree_error), .misplaced(tree_misplaced)
@@ -288,16 +241,18 @@ module search_axi (
             sets_up <= 1'd0;
             queries_left <= 32'd0;
             answers_left <= 32'd0;
+            empty_leaf <= 1'd0;
             beat <= 3'd0;
         end else begin
             sets_up <= registers_start;
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
+            empty_leaf <= core_fetch_valid & core_fetch_ready & is_empty;
             if (beat_moves) beat <= last_beat ? 3'd0 : beat_plus_1;
         end
     end
 
-    wire _unused = &{1'b0, registers_busy, tree_record_word[39:35], tree_record_word[63:41]};
+    wire _unused = &{1'b0, tree_record_word[39:35], tree_record_word[63:41]};
 endmodule
 
 // Reads records from memory in bursts.
@@ -306,25 +261,21 @@ endmodule
 // records = 1
 module bus_reader_v2 (
     input  wire clk, input wire rst,
-    input  wire request_valid,  // Records wanted.
-    output wire request_ready,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire request_records,  // How many.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output reg  record_valid,  // The records.
-    input  wire record_ready,
+    output reg  record_valid, input wire record_ready,  // The records.
     output wire [63:0] record_word,  // What a node or a leaf holds.
     output reg  error,  // An answer was none of success.
     output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
@@ -333,9 +284,9 @@ module bus_reader_v2 (
     reg [28:0] address;
     reg [63:0] held_word_0;
 
-    wire address_queue_in_ready, address_queue_out_valid;
+    wire address_queue_in_ready;
     wire [36:0] address_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
     wire takes_request = ~held | address_queue_in_ready;
@@ -346,22 +297,20 @@ module bus_reader_v2 (
     wire beat_queue_out_last = beat_queue_out_data[0];
 
     assign request_ready = takes_request;
-    assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 3'd0};
     assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
-    assign m_axi_rready = beat_queue_in_ready;
     assign record_word = held_word_0;
 
     stream_skid_w37 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, 8'd0}),
-        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
         .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
@@ -375,7 +324,7 @@ module bus_reader_v2 (
         end else begin
             if (takes_request) held <= request_valid;
             if (advance) record_valid <= moves;
-            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
             misplaced <= moves & (beat_queue_out_last ^ 1'd1);
         end
     end
@@ -492,25 +441,21 @@ endmodule
 // records = 4
 module bus_reader (
     input  wire clk, input wire rst,
-    input  wire request_valid,  // Records wanted.
-    output wire request_ready,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
     input  wire [31:0] request_address,  // Where the first one lies.
     input  wire [2:0] request_records,  // How many.
-    output wire m_axi_arvalid,  // Bursts wanted.
-    input  wire m_axi_arready,
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
     output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
     output wire [31:0] m_axi_araddr,  // Its first byte.
     output wire [7:0] m_axi_arlen,  // One less than its beats.
     output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
     output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
-    input  wire m_axi_rvalid,  // Their beats.
-    output wire m_axi_rready,
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
     input  wire [3:0] m_axi_rid,  // The burst's identifier.
     input  wire [63:0] m_axi_rdata,  // Its bytes.
     input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
     input  wire m_axi_rlast,  // Closes its burst.
-    output reg  record_valid,  // The records.
-    input  wire record_ready,
+    output reg  record_valid, input wire record_ready,  // The records.
     output wire [31:0] record_x0,  // A point a lane; NaN where there is none.
     output wire [31:0] record_y0,  // A point a lane; NaN where there is none.
     output wire [31:0] record_z0,  // A point a lane; NaN where there is none.
@@ -534,11 +479,11 @@ module bus_reader (
     reg [31:0] held_x3_0, held_y3_0, held_z3_0;
     reg is_wrong;
 
-    wire address_queue_in_ready, address_queue_out_valid;
+    wire address_queue_in_ready;
     wire [33:0] address_queue_out_data;
     wire length_queue_in_ready, length_queue_out_valid;
     wire [7:0] length_queue_out_data;
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
@@ -566,13 +511,11 @@ module bus_reader (
     wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
 
     assign request_ready = takes_request;
-    assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
     assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
-    assign m_axi_rready = beat_queue_in_ready;
     assign record_x0 = held_x0_0;
     assign record_y0 = held_y0_0;
     assign record_z0 = held_z0_0;
@@ -589,7 +532,7 @@ module bus_reader (
     stream_skid_w34 address_queue (
         .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
         .in_data({address, length}),
-        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
@@ -599,7 +542,7 @@ module bus_reader (
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
         .in_data({m_axi_rdata, m_axi_rlast}),
         .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
@@ -619,7 +562,7 @@ module bus_reader (
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & is_wrong_either;
             end
-            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
             misplaced <= moves & (ends & is_wrong_either);
         end
     end
@@ -756,21 +699,49 @@ module stream_skid_w34 (
 `endif
 endmodule
 
+// Ends a run early: keeps the core in reset until nothing is under way.
+module bus_abort (
+    input  wire clk, input wire rst,
+    input  wire asked,  // The run is to end.
+    input  wire running,  // A run is under way.
+    input  wire quiet,  // Nothing is under way on the buses.
+    output wire aborts,  // The core is to stay in reset, and what still comes to be dropped.
+    output reg  ended  // The run has ended.
+);
+    reg is_aborting;
+    reg [2:0] quiet_cycles;
+
+    wire counts = is_aborting & quiet;
+    wire ends = counts & (quiet_cycles == 3'd7);
+
+    assign aborts = is_aborting;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            is_aborting <= 1'd0;
+            quiet_cycles <= 3'd0;
+            ended <= 1'd0;
+        end else begin
+            is_aborting <= is_aborting ? ~ends : (asked & running);
+            quiet_cycles <= counts ? (quiet_cycles + 3'd1) : 3'd0;
+            ended <= ends;
+        end
+    end
+endmodule
+
 // Spreads records over the beats of packets.
 // beats = 3
 // width = 64
 module bus_packet_out (
     input  wire clk, input wire rst,
-    input  wire in_valid,  // Records.
-    output wire in_ready,
+    input  wire in_valid, output wire in_ready,  // Records.
     input  wire [23:0] in_number,  // The query's number.
     input  wire in_last,  // Closes the query.
     input  wire in_found,  // Low for a query without any neighbor.
     input  wire [23:0] in_index,  // The neighbor's place in the point memory.
     input  wire [31:0] in_distance2,  // Its squared distance.
     input  wire in_cached,  // With a neighbor cache, its squared distance is that to the query whose neighborhood is reused.
-    output wire m_axis_tvalid,  // Beats of packets.
-    input  wire m_axis_tready,
+    output wire m_axis_tvalid, input wire m_axis_tready,  // Beats of packets.
     output wire [63:0] m_axis_tdata,  // Its bytes.
     output wire m_axis_tlast,  // Closes its packet.
     output reg  sent,  // A packet was sent.
@@ -784,7 +755,7 @@ module bus_packet_out (
     reg [31:0] held_distance2;
     reg held_cached;
 
-    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire beat_queue_in_ready;
     wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
@@ -796,14 +767,13 @@ module bus_packet_out (
     wire beat_queue_out_last = beat_queue_out_data[0];
 
     assign in_ready = takes_record;
-    assign m_axis_tvalid = beat_queue_out_valid;
     assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
-    assign idle = ~held & ~beat_queue_out_valid;
+    assign idle = ~held & ~m_axis_tvalid;
 
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
         .in_data({place[1] ? {63'd0, held_cached} : beat_queue_in_data_choice, at_end}),
-        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
+        .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -813,7 +783,7 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            sent <= m_axis_tvalid & m_axis_tready & beat_queue_out_last;
             if (moves) place <= at_end ? 2'd0 : (place + 2'd1);
         end
     end
@@ -879,12 +849,10 @@ module bus_packet_in (
     input  wire clk, input wire rst,
     input  wire opens,  // A run begins.
     input  wire last,  // The packet that comes next is the run's last, where packets do not say so themselves.
-    input  wire s_axis_tvalid,  // Beats of packets.
-    output wire s_axis_tready,
+    input  wire s_axis_tvalid, output wire s_axis_tready,  // Beats of packets.
     input  wire [63:0] s_axis_tdata,  // Its bytes.
     input  wire s_axis_tlast,  // Closes its packet.
-    output reg  out_valid,  // The records of good packets.
-    input  wire out_ready,
+    output reg  out_valid, input wire out_ready,  // The records of good packets.
     output wire [23:0] out_number,  // Its number, which its results bear.
     output wire [5:0] out_k,  // Neighbors wanted.
     output wire [31:0] out_radius2,  // Squared radius within which neighbors count.
@@ -1024,22 +992,20 @@ endmodule
 // registers = 30
 module bus_registers (
     input  wire clk, input wire rst,
-    input  wire s_axil_awvalid,  // Registers to be written.
-    output wire s_axil_awready,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
     input  wire [11:0] s_axil_awaddr,  // Its first byte.
-    input  wire s_axil_wvalid,  // What is written to them.
-    output wire s_axil_wready,
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
     input  wire [31:0] s_axil_wdata,  // The value.
     input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
-    output reg  s_axil_bvalid,  // Answers to writes.
-    input  wire s_axil_bready,
+    output reg  s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
     output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
     input  wire finished,  // The run has ended.
     input  wire occupied,  // No run may begin.
     output reg  busy,  // A run is under way.
     output reg  start,  // A run begins.
     output reg  core_reset,  // The core is to be reset.
-    input  wire [1:0] burst_error,  // A burst was refused, or ended where it must not.
+    output reg  aborts,  // The run is to end.
+    input  wire [2:0] burst_error,  // A burst was refused, or ended where it must not.
     input  wire packet_error,  // A packet was refused.
     input  wire [1:0] memory_error,  // Memory answered with an error.
     input  wire packet_taken,  // A packet was taken.
@@ -1056,11 +1022,9 @@ module bus_registers (
     input  wire event_tree_miss,  // The tree cache lacked a record that was wanted.
     input  wire event_cache_hit,  // A neighborhood of the neighbor cache covered a query.
     input  wire event_cache_miss,  // No neighborhood of the neighbor cache covered a query.
-    input  wire s_axil_arvalid,  // Registers to be read.
-    output wire s_axil_arready,
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
     input  wire [11:0] s_axil_araddr,  // Its first byte.
-    output reg  s_axil_rvalid,  // What is read from them.
-    input  wire s_axil_rready,
+    output reg  s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
     output reg  [31:0] s_axil_rdata,  // The value.
     output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
     output reg  irq,  // Interrupt.
@@ -1216,13 +1180,14 @@ module bus_registers (
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
     wire error_either = refused_write | refused_read | refused_busy | burst_error[0] | burst_error[1];
+    wire error_either_2 = error_either | burst_error[2] | packet_error | memory_error[0] | memory_error[1];
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 5'd0);
     wire [7:0] part_0_sum = {7'd0, refused_write} + {7'd0, refused_read};
     wire visits_1 = looks & (visited == 5'd1);
     wire visits_2 = looks & (visited == 5'd2);
-    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
+    wire [7:0] part_2_sum = {7'd0, burst_error[0]} + {7'd0, burst_error[1]} + {7'd0, burst_error[2]};
     wire visits_3 = looks & (visited == 5'd3);
     wire visits_4 = looks & (visited == 5'd4);
     wire [7:0] part_4_sum = {7'd0, memory_error[0]} + {7'd0, memory_error[1]};
@@ -1321,6 +1286,7 @@ module bus_registers (
             start <= 1'd0;
             core_reset <= 1'd0;
             clear_errors <= 1'd0;
+            aborts <= 1'd0;
             done <= 1'd0;
             has_read_address <= 1'd0;
             error <= 1'd0;
@@ -1379,9 +1345,10 @@ module bus_registers (
             start <= starts;
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
+            aborts <= commands & write_data[3];
             done <= ~starts & (done | (busy & finished));
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= error_either | packet_error | memory_error[0] | memory_error[1] | (error & ~clear_errors);
+            error <= error_either_2 | (error & ~clear_errors);
             adds <= looks;
             part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
             void_0 <= clear_errors | (void_0 & ~visits_0);

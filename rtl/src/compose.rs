@@ -44,7 +44,7 @@ impl Writer<'_> {
         match &description.operation {
             Primitive::Signal(signal) => {
                 self.define(signal.index);
-                (self.read_all(&signal.name), Shape::Atom)
+                (self.read_all(self.signal_name(signal.index)), Shape::Atom)
             }
             Primitive::Literal(value) => (literal(description.width, *value), Shape::Atom),
             Primitive::Not => (format!("~{}", self.atom(operands[0])), Shape::Unary),

@@ -1,6 +1,6 @@
 //! The body of a module: declarations, wires, instances, clocked blocks, assertions.
 
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt::Write as _;
 
 use super::canonical::{Graph, Need};
@@ -80,24 +80,22 @@ fn has_reset(graph: &Graph, children: &[Implicit]) -> bool {
 pub(super) fn body(graph: &Graph, children: &[Implicit], is_top: bool) -> (Body, Implicit) {
     let clk = has_state(graph, children);
     let implicit = Implicit { clk, rst: clk && (is_top || has_reset(graph, children)) };
-    let mut emitter = Emitter { module: graph.module, writer: Writer::new(graph, port_signals(graph)) };
+    let mut emitter = Emitter { module: graph.module, writer: Writer::new(graph, port_names(graph)) };
     (emitter.body(children, implicit), implicit)
 }
 
-/// Signals that an output port of their own name shows.
-fn port_signals(graph: &Graph) -> HashSet<usize> {
-    let shown = graph.module.ports.iter().filter_map(|port| match port {
-        PortDeclaration::Output { name, value, .. } => shown_signal(graph, name, *value),
-        PortDeclaration::Input(_) => None,
-    });
-    shown.collect()
-}
-
-fn shown_signal(graph: &Graph, name: &str, value: Expr) -> Option<usize> {
-    match &graph.outputs[&value.number()].node().operation {
-        Primitive::Signal(signal) if &*signal.name == name => Some(signal.index),
-        _ => None,
+/// Signals that are output ports themselves, and which: those of their own name, and outputs of children that leave as they come.
+fn port_names<'a>(graph: &'a Graph<'a>) -> HashMap<usize, &'a str> {
+    let mut names = HashMap::new();
+    for port in &graph.module.ports {
+        let PortDeclaration::Output { name, value, .. } = port else { continue };
+        let Primitive::Signal(signal) = &graph.outputs[&value.number()].node().operation else { continue };
+        let is_childs = matches!(graph.module.signals[signal.index].source, Source::ChildOutput { .. });
+        if is_childs || *signal.name == **name {
+            names.entry(signal.index).or_insert(&**name);
+        }
     }
+    names
 }
 
 struct Emitter<'a> {
@@ -106,6 +104,14 @@ struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
+    /// The signal that is the port of that name, if one is.
+    fn shown_signal(&self, name: &str, value: Expr) -> Option<usize> {
+        match &self.writer.graph.outputs[&value.number()].node().operation {
+            Primitive::Signal(signal) if self.writer.port_names.get(&signal.index) == Some(&name) => Some(signal.index),
+            _ => None,
+        }
+    }
+
     fn body(&mut self, children: &[Implicit], implicit: Implicit) -> Body {
         let ports = self.ports(implicit);
         let state = self.state_declarations(Need::Hardware);
@@ -138,8 +144,7 @@ impl Emitter<'_> {
                     PortKind::Input
                 }
                 PortDeclaration::Output { value, .. } => {
-                    let source =
-                        shown_signal(self.writer.graph, name, *value).map(|signal| &self.module.signals[signal].source);
+                    let source = self.shown_signal(name, *value).map(|signal| &self.module.signals[signal].source);
                     match source {
                         Some(Source::Read { store, .. }) if self.writer.graph.memory_module(*store).is_some() => {
                             PortKind::OutputWire
@@ -167,7 +172,7 @@ impl Emitter<'_> {
         }
         for (index, signal) in self.module.signals.iter().enumerate() {
             let clocked = matches!(signal.source, Source::Register { .. } | Source::Read { .. });
-            if clocked && self.writer.graph.signals[index] == need && !self.writer.port_signals.contains(&index) {
+            if clocked && self.writer.graph.signals[index] == need && !self.writer.port_names.contains_key(&index) {
                 let width = signal.reference.width();
                 let kind = match signal.source {
                     Source::Read { store, .. } if self.writer.graph.memory_module(store).is_some() => "wire",
@@ -192,7 +197,7 @@ impl Emitter<'_> {
     fn child_outputs(&mut self) -> String {
         let mut declarations = Declarations::default();
         for (index, signal) in self.module.signals.iter().enumerate() {
-            if matches!(signal.source, Source::ChildOutput { .. }) && !self.writer.port_signals.contains(&index) {
+            if matches!(signal.source, Source::ChildOutput { .. }) && !self.writer.port_names.contains_key(&index) {
                 let width = signal.reference.width();
                 declarations.add("wire", width, &signal.name);
                 self.writer.track(&signal.name, width);
@@ -206,7 +211,7 @@ impl Emitter<'_> {
         for port in &self.module.ports {
             let PortDeclaration::Output { name, value, .. } = port else { continue };
             let shown = self.writer.graph.outputs[&value.number()];
-            match shown_signal(self.writer.graph, name, *value) {
+            match self.shown_signal(name, *value) {
                 Some(signal) => self.writer.define(signal),
                 None => {
                     match groups.last_mut().and_then(|(names, above)| Some((names, above.adjoining(shown)?, above))) {
@@ -246,7 +251,7 @@ impl Emitter<'_> {
             for index in 0..child.module.ports.len() {
                 let value = match (&child.inputs[index], child.outputs[index]) {
                     (Some(driver), _) => self.writer.expression(*driver),
-                    (None, Some(signal)) => module.signals[signal].name.to_string(),
+                    (None, Some(signal)) => self.writer.signal_name(signal).into(),
                     (None, None) => unreachable!("an open input is a fault"),
                 };
                 connections.push((child.pin(index), value));

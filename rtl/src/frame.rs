@@ -15,15 +15,23 @@ pub(super) struct FramePort {
 }
 
 impl FramePort {
-    /// `input  wire [7:0] name,  // What it is for.`
-    fn declaration(&self, separator: &str) -> String {
+    /// It is the `ready` of a stream, of which nothing is said, and that is its `valid`.
+    fn answers(&self, other: &Self) -> bool {
+        let stem = self.name.strip_suffix("ready");
+        self.document.is_none() && stem.is_some() && stem == other.name.strip_suffix("valid")
+    }
+
+    /// `input  wire [7:0] name,  // What it is for.`, with the port that answers it in front of the comment.
+    fn declaration(&self, answer: Option<&Self>, separator: &str) -> String {
         let kind = match self.kind {
             PortKind::Input => "input  wire",
             PortKind::OutputWire => "output wire",
             PortKind::OutputReg => "output reg ",
         };
+        let answer =
+            answer.map_or(String::new(), |answer| format!(", {}", answer.declaration(None, "").replacen("  ", " ", 1)));
         let comment = self.document.as_ref().map_or(String::new(), |text| format!("  // {text}"));
-        format!("{kind} {}{}{separator}{comment}", range(self.width), self.name)
+        format!("{kind} {}{}{answer}{separator}{comment}", range(self.width), self.name)
     }
 }
 
@@ -60,8 +68,8 @@ impl Frame {
         out
     }
 
-    /// The declarations of the ports: a line each where something is said of them; of others, those that begin alike share lines, and
-    /// those of one direction that begin like no other.
+    /// The declarations of the ports: a line each where something is said of them, which a stream's `ready` shares with its `valid`; of
+    /// others, those that begin alike share lines, and those of one direction that begin like no other.
     fn port_lines(&self) -> Vec<String> {
         let group = |port: &FramePort| {
             let first = port.name.split('_').next();
@@ -75,9 +83,11 @@ impl Frame {
         let mut lines: Vec<String> = vec![];
         // The group of a line that more can be put on.
         let mut open = None;
-        for (index, port) in self.ports.iter().enumerate() {
-            let separator = if index + 1 < self.ports.len() { "," } else { "" };
-            let declaration = port.declaration(separator);
+        let mut ports = self.ports.iter().peekable();
+        while let Some(port) = ports.next() {
+            let answer = ports.next_if(|next| next.answers(port));
+            let separator = if ports.peek().is_some() { "," } else { "" };
+            let declaration = port.declaration(answer, separator);
             let own = port.document.is_none().then(|| group(port));
             match lines.last_mut() {
                 Some(line) if own.is_some() && own == open && line.len() + declaration.len() < LINE_CHARACTERS => {

@@ -4,7 +4,7 @@ use super::error::FaultKind;
 
 /// Words that are taken, in alphabetical order.
 const RESERVED: &str = "\
-    alias always and asm assert assign assume auto automatic before begin bind bit bool break buf bufif0 bufif1 byte \
+    abort alias always and asm assert assign assume auto automatic before begin bind bit bool break buf bufif0 bufif1 byte \
     case casex casez catch cell char checker class clk clocking cmos config const constraint context continue cover \
     covergroup coverpoint cross deassign default defparam delete design disable dist do double edge else end endcase \
     endclass endconfig endfunction endgenerate endgroup endinterface endmodule endpackage endprimitive endprogram \

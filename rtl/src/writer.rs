@@ -16,8 +16,8 @@ pub(super) struct Writer<'a> {
     pub definitions: Vec<String>,
     /// By declared name: which of its bits are read.
     pub bits_read: BTreeMap<String, Vec<bool>>,
-    /// Signals that are ports themselves: they are assigned, not declared.
-    pub port_signals: HashSet<usize>,
+    /// Signals that are ports themselves, and which: they are assigned or connected, not declared.
+    pub port_names: HashMap<usize, &'a str>,
     defined: HashSet<usize>,
     node_names: HashMap<usize, String>,
     /// By node: the live wire of the author's that shows it.
@@ -26,7 +26,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub fn new(graph: &'a Graph<'a>, port_signals: HashSet<usize>) -> Self {
+    pub fn new(graph: &'a Graph<'a>, port_names: HashMap<usize, &'a str>) -> Self {
         let mut author_names = HashMap::new();
         for (index, signal) in
             graph.module.signals.iter().enumerate().filter(|(index, _)| graph.signals[*index] != Need::Nobody)
@@ -39,7 +39,7 @@ impl<'a> Writer<'a> {
             graph,
             definitions: vec![],
             bits_read: BTreeMap::new(),
-            port_signals,
+            port_names,
             defined: HashSet::new(),
             node_names: HashMap::new(),
             author_names,
@@ -50,6 +50,11 @@ impl<'a> Writer<'a> {
     /// Makes a name known whose reading is of interest.
     pub fn track(&mut self, name: &str, width: u32) {
         self.bits_read.insert(name.into(), vec![false; width as usize]);
+    }
+
+    /// What a signal is called in the text.
+    pub fn signal_name(&self, signal: usize) -> &'a str {
+        signal_name(self.graph, &self.port_names, signal)
     }
 
     /// The whole of an expression, as the right side of an assignment.
@@ -107,7 +112,7 @@ impl<'a> Writer<'a> {
                 let address_width = address.width();
                 let address = self.expression(*address);
                 let mut text = String::new();
-                if !self.port_signals.contains(&signal) {
+                if !self.port_names.contains_key(&signal) {
                     let _ = writeln!(text, "reg {}{name};", range(width));
                     self.track(name, width);
                 }
@@ -130,7 +135,7 @@ impl<'a> Writer<'a> {
     fn push_definition(&mut self, signal: usize, value: &str) {
         let signal_record = &self.graph.module.signals[signal];
         let (name, width) = (&signal_record.name, signal_record.reference.width());
-        if self.port_signals.contains(&signal) {
+        if self.port_names.contains_key(&signal) {
             self.definitions.push(format!("assign {name} = {value};"));
         } else {
             self.definitions.push(format!("wire {}{name} = {value};", range(width)));
@@ -168,7 +173,7 @@ impl<'a> Writer<'a> {
     pub fn name_of(&mut self, node: usize) -> String {
         if let Primitive::Signal(signal) = &self.graph.nodes[node].operation {
             self.define(signal.index);
-            return signal.name.to_string();
+            return self.signal_name(signal.index).into();
         }
         if let Some(name) = self.node_names.get(&node).cloned() {
             return name;
@@ -185,9 +190,9 @@ impl<'a> Writer<'a> {
 
     /// A new wire for a node whose text is known.
     pub fn name_value(&mut self, node: usize, value: &str) -> String {
-        let (graph, names) = (self.graph, &self.node_names);
+        let (graph, names, ports) = (self.graph, &self.node_names, &self.port_names);
         let known = |node: usize| match &graph.nodes[node].operation {
-            Primitive::Signal(signal) => Some(signal.name.to_string()),
+            Primitive::Signal(signal) => Some(signal_name(graph, ports, signal.index).into()),
             _ => names.get(&node).cloned(),
         };
         let name = self.namer.name(graph, node, known);
@@ -210,4 +215,9 @@ impl<'a> Writer<'a> {
         }
         name.into()
     }
+}
+
+/// What a signal is called: as the port that it is, or as its author named it.
+fn signal_name<'a>(graph: &'a Graph<'a>, ports: &HashMap<usize, &'a str>, signal: usize) -> &'a str {
+    ports.get(&signal).copied().unwrap_or(&graph.module.signals[signal].name)
 }

@@ -59,6 +59,37 @@ fn what_is_said_of_ports_stands_behind_them() {
     assert_eq!(words(text), words(ACCUMULATOR));
 }
 
+/// An output that shows a child's as it comes is connected to it; the next that does shows the first.
+#[test]
+fn outputs_of_children_leave_without_a_wire_between() {
+    let mut m = Module::new("outer", "Shows what is inside.");
+    let inside = m.instance("part", accumulator());
+    let (enable, value) = (m.input("enable", 1), m.input("value", 8));
+    m.connect(inside, "enable", enable);
+    m.connect(inside, "value", value);
+    let (total, over) = (m.out(inside, "total"), m.out(inside, "over"));
+    m.output("sum", total);
+    m.output("again", total);
+    m.output("below", !over);
+    let design = elaborate(&m).expect("the module has no fault");
+    let text = design.verilog();
+    for expected in [".total(sum), .over(part_over)", "    assign again = sum;\n    assign below = ~part_over;\n"] {
+        assert!(text.contains(expected), "{text}");
+    }
+    assert!(!text.contains("part_total"), "{text}");
+}
+
+#[test]
+fn a_streams_ready_stands_beside_its_valid() {
+    let mut m = Module::new("gate", "Lets all through.");
+    let stream = m.stream_in("in", &[("data", 8)]);
+    m.stream_export("out", &stream);
+    m.document("in_valid", "What comes.");
+    let design = elaborate(&m).expect("the module has no fault");
+    let expected = "    input  wire in_valid, output wire in_ready,  // What comes.\n    input  wire [7:0] in_data,\n";
+    assert!(design.verilog().contains(expected), "{}", design.verilog());
+}
+
 #[test]
 fn what_is_said_of_registers_stands_behind_them() {
     let mut m = Module::new("three", "Three in a row.");
