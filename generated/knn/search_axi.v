@@ -836,7 +836,7 @@ module bus_packet_in (
     output reg  refused  // A packet was refused.
 );
     reg [1:0] place;
-    reg is_overlong, in_range, begun, is_open;
+    reg is_overlong, k_in_range, radius2_in_range, begun, is_open;
     reg [23:0] held_number_0;
     reg [5:0] held_k_0;
     reg [31:0] held_radius2_0, held_x_0, held_y_0, held_z_0;
@@ -849,6 +849,7 @@ module bus_packet_in (
     wire takes_and_not_is_overlong = takes & ~is_overlong;
     wire place_is_2 = place == 2'd2;
     wire whole = takes & (s_axis_tlast & (place_is_2 & ~is_overlong));
+    wire in_range = k_in_range & radius2_in_range;
     wire good = whole & in_range;
     wire advance = ~out_valid | out_ready;
     wire beat_queue_out_good = beat_queue_out_data[66];
@@ -897,8 +898,9 @@ module bus_packet_in (
     end
     always @(posedge clk) begin
         if (takes & (place == 2'd0)) begin
-            in_range <= (6'd1 <= s_axis_tdata[37:32]) & ~(6'd32 < s_axis_tdata[37:32]);
+            k_in_range <= (6'd1 <= s_axis_tdata[37:32]) & ~(6'd32 < s_axis_tdata[37:32]);
         end
+        if (takes & (place == 2'd1)) radius2_in_range <= ~(32'h7f800000 < s_axis_tdata[31:0]);
         if (takes_beat_0) begin
             held_number_0 <= beat_queue_out_data[25:2];
             held_k_0 <= beat_queue_out_data[39:34];

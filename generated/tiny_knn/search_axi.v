@@ -829,7 +829,7 @@ module bus_packet_in (
     output reg  refused  // A packet was refused.
 );
     reg [1:0] place;
-    reg is_overlong, in_range, begun, is_open;
+    reg is_overlong, k_in_range, radius2_in_range, begun, is_open;
     reg [15:0] held_number_0;
     reg [3:0] held_k_0;
     reg [23:0] held_radius2_0, held_x_0, held_y_0, held_z_0;
@@ -842,8 +842,10 @@ module bus_packet_in (
     wire takes_and_not_is_overlong = takes & ~is_overlong;
     wire place_is_2 = place == 2'd2;
     wire whole = takes & (s_axis_tlast & (place_is_2 & ~is_overlong));
+    wire in_range = k_in_range & radius2_in_range;
     wire good = whole & in_range;
     wire advance = ~out_valid | out_ready;
+    wire k_in_range_enable_both = takes & (place == 2'd0);
     wire beat_queue_out_good = beat_queue_out_data[50];
     wire moves = beat_queue_out_valid & advance;
     wire [1:0] beat_queue_out_place = beat_queue_out_data[1:0];
@@ -889,8 +891,9 @@ module bus_packet_in (
         end
     end
     always @(posedge clk) begin
-        if (takes & (place == 2'd0)) begin
-            in_range <= (4'd1 <= s_axis_tdata[19:16]) & ~(4'd8 < s_axis_tdata[19:16]);
+        if (k_in_range_enable_both) begin
+            k_in_range <= (4'd1 <= s_axis_tdata[19:16]) & ~(4'd8 < s_axis_tdata[19:16]);
+            radius2_in_range <= ~(24'h7f8000 < s_axis_tdata[55:32]);
         end
         if (takes_beat_0) begin
             held_number_0 <= beat_queue_out_data[17:2];

@@ -24,9 +24,9 @@ impl<R: Packet<Domain = Words> + PartialEq> Received for R {}
 
 /// Random values of a record, now and then one out of its range.
 fn record<R: Received>(config: &R::Config, random: &mut fastrand::Rng) -> R {
-    let (range, end) = (R::range(config), R::end(config));
-    let value = |(place, field): (usize, Field)| match range {
-        Some(range) if range.field == place && random.u8(..8) > 0 => random.u32(range.low..=range.high).into(),
+    let (ranges, end) = (R::ranges(config), R::end(config));
+    let value = |(place, field): (usize, Field)| match ranges.iter().find(|range| range.field == place) {
+        Some(range) if random.u8(..8) > 0 => random.u32(range.low..=range.high).into(),
         _ if end == Some(place) => u64::from(random.u8(..6) == 0),
         _ => random.u64(..) >> (64 - field.width),
     };
@@ -66,7 +66,7 @@ fn exchange<R: Received>(config: &R::Config, stream_bits: u32, seed: u64) {
     // A good packet that ends the last run, whatever came before.
     let mut closing = vec![0; fields::<R>(config).len()];
     end.into_iter().for_each(|end| closing[end] = 1);
-    R::range(config).into_iter().for_each(|range| closing[range.field] = range.low.into());
+    R::ranges(config).into_iter().for_each(|range| closing[range.field] = range.low.into());
     let closing: R = read(config, &closing);
     (0..RUN).for_each(|_| sent.extend(PacketOut::new(config, stream_bits).beats(closing)));
     for (data, tlast) in &sent {
@@ -133,10 +133,11 @@ fn good_packets_come_out_and_others_are_counted() {
     }
 }
 
-/// A query that is none too many neighbors.
+/// A query of which all is in its range.
 fn query(config: &search::Config, random: &mut fastrand::Rng) -> CachedQuery {
     let mut query: CachedQuery = record(config, random);
     query.query.k = query.query.k.clamp(1, config.neighbors as u8);
+    query.query.radius2 = query.query.radius2.min(config.geometry.infinity() as u32);
     query
 }
 

@@ -15,14 +15,14 @@ pub trait Packet: Record {
         None
     }
 
-    /// The field that not all values make sense of, if there is one.
+    /// The fields that not all values make sense of.
     #[must_use]
-    fn range(_config: &Self::Config) -> Option<FieldRange> {
-        None
+    fn ranges(_config: &Self::Config) -> Vec<FieldRange> {
+        vec![]
     }
 }
 
-/// The values that a field of a packet may have.
+/// The values that a field of a packet may have, its bits read as a number without sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FieldRange {
     /// The field's place in its record.
@@ -46,9 +46,13 @@ impl Packet for Fragment {
 }
 
 impl Packet for CachedQuery {
-    fn range(config: &search::Config) -> Option<FieldRange> {
-        let field = places::<Self>(config).query.k;
-        field.map(|field| FieldRange { field, low: 1, high: config.neighbors })
+    /// At least one neighbor, no more than the core finds; a squared radius from zero to infinity, neither negative nor NaN.
+    fn ranges(config: &search::Config) -> Vec<FieldRange> {
+        let places = places::<Self>(config).query;
+        let neighbors = places.k.map(|field| FieldRange { field, low: 1, high: config.neighbors });
+        let infinity = config.geometry.infinity() as u32;
+        let radius2 = places.radius2.map(|field| FieldRange { field, low: 0, high: infinity });
+        neighbors.into_iter().chain(radius2).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Packets in: beats to records.
 //!
-//! A packet is judged by its `tlast` and by the range of one of its fields; a refused one leaves no trace but its count.
+//! A packet is judged by its `tlast` and by the ranges of its fields; a refused one leaves no trace but its count.
 
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::packets::{FieldRange, Packet};
@@ -53,8 +53,8 @@ impl<R: Packet<Domain = Words>> PacketIn<R> {
 
     fn judge(&self, packet: &[u8]) -> Verdict<R> {
         let fields = self.layout.decode(packet);
-        let in_range = R::range(&self.config)
-            .is_none_or(|FieldRange { field, low, high }| (u64::from(low)..=u64::from(high)).contains(&fields[field]));
+        let holds = |range: &FieldRange| (range.low.into()..=range.high.into()).contains(&fields[range.field]);
+        let in_range = R::ranges(&self.config).iter().all(holds);
         if in_range { Verdict::Taken(read(&self.config, &fields)) } else { Verdict::Refused }
     }
 }
@@ -76,8 +76,8 @@ mod tests {
     }
 
     impl Packet for Pair {
-        fn range(config: &()) -> Option<FieldRange> {
-            places::<Self>(config).a.map(|field| FieldRange { field, low: 1, high: 3 })
+        fn ranges(config: &()) -> Vec<FieldRange> {
+            places::<Self>(config).a.map(|field| FieldRange { field, low: 1, high: 3 }).into_iter().collect()
         }
     }
 

@@ -33,9 +33,9 @@ struct Gaps {
 }
 
 impl Packet for Gaps {
-    fn range(range: &Option<(u32, u32)>) -> Option<FieldRange> {
-        let field = places::<Self>(range).a?;
-        range.map(|(low, high)| FieldRange { field, low, high })
+    fn ranges(range: &Option<(u32, u32)>) -> Vec<FieldRange> {
+        let field = places::<Self>(range).a;
+        field.zip(*range).map(|(field, (low, high))| FieldRange { field, low, high }).into_iter().collect()
     }
 }
 

@@ -7,7 +7,7 @@
 use pointcore_contract::bus::axi::PacketBeat;
 use pointcore_contract::bus::packets::{FieldRange, Packet};
 use pointcore_contract::bus::units::packet_in::Ports;
-use pointcore_contract::record;
+use pointcore_contract::{fields, record};
 
 use super::parts::beats::Beats;
 use crate::stream::skid;
@@ -63,10 +63,15 @@ pub fn module<R: Packet>(config: &R::Config, stream_bits: u32) -> Module {
     let whole = m.wire("whole", takes & (tlast & (at_end & !is_overlong)));
     let wrong = takes & ((tlast ^ at_end) & !is_overlong);
     let incoming = Incoming { beats: &beats, data: tdata, place, takes };
-    let in_range = R::range(config).map_or(bit(true), |FieldRange { field, low, high }| {
-        let holds = |value: Expr| value.ge_lit(low.into()) & !value.gt(lit(value.width(), high.into()));
-        incoming.noted(&mut m, "in_range", field, holds)
+    let names = fields::<R>(config);
+    let in_range = R::ranges(config).into_iter().fold(bit(true), |all, FieldRange { field, low, high }| {
+        let holds = |value: Expr| {
+            let reaches = if low == 0 { bit(true) } else { value.ge_lit(low.into()) };
+            reaches & !value.gt(lit(value.width(), high.into()))
+        };
+        all & incoming.noted(&mut m, &format!("{}_in_range", names[field].name), field, holds)
     });
+    let in_range = m.wire("in_range", in_range);
     let good = m.wire("good", whole & in_range);
     m.next_if(is_overlong, takes, !tlast & (is_overlong | at_end));
     if let Some(place) = &place {
