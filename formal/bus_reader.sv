@@ -83,8 +83,7 @@ module proof (input clk);
         its_addresses: assert (!m_axi_arvalid || m_axi_araddr == head_next);
         its_length: assert (!m_axi_arvalid || burst_beats <= head_left);
         one_id: assert (!m_axi_arvalid || m_axi_arid == 0);
-        // A reader for single records has no limit of its own.
-        not_too_many: assert (RECORDS_MAX == 1 || behind < LIMIT);
+        not_too_many: assert (behind < LIMIT);
     end
 
     // The next beat's place in its record, and what came before it.

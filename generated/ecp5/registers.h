@@ -30,7 +30,7 @@
 #define SPLAT_INTERRUPT_ENABLE_DONE (UINT32_C(1) << 0) /* `irq` is high while `done` is */
 #define SPLAT_ACCESS_ERRORS 0x010u /* read: register accesses refused: outside the map, not of a whole aligned word, written where only read or read where only written, a value that makes no sense */
 #define SPLAT_BUSY_ERRORS 0x014u /* read: accesses refused because a run is under way */
-#define SPLAT_BURST_ERRORS 0x018u /* read: bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, and leaves without beats, read as of one */
+#define SPLAT_BURST_ERRORS 0x018u /* read: bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, beats from memory that nobody asked for, and leaves without beats, read as of one */
 #define SPLAT_PACKET_ERRORS 0x01cu /* read: packets refused: `tlast` before or after their end, or a field out of its range */
 #define SPLAT_MEMORY_ERRORS 0x020u /* read: responses from memory that were not OKAY */
 #define SPLAT_CYCLES 0x024u /* read: cycles of the run, to its end or so far */

@@ -447,7 +447,7 @@ module bus_reader (
     output wire [31:0] record_y3,  // A point a lane; NaN where there is none.
     output wire [31:0] record_z3,  // A point a lane; NaN where there is none.
     output reg  error,  // An answer was none of success.
-    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
 );
     reg held;
     reg [25:0] address;
@@ -473,10 +473,10 @@ module bus_reader (
     wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
     wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
-    wire beat_queue_out_ready = advance & length_queue_out_valid;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
+    wire beat_queue_out_ready = advance | ~length_queue_out_valid;
     wire takes_request_or_issues = takes_request | issues;
     wire [5:0] records_minus_room_records = {3'd0, records} - room_records;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
@@ -541,7 +541,7 @@ module bus_reader (
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
-            misplaced <= moves & (ends & is_wrong_either);
+            misplaced <= (beat_queue_out_valid & ~length_queue_out_valid) | (moves & (ends & is_wrong_either));
         end
     end
     always @(posedge clk) begin

@@ -372,7 +372,7 @@ module bus_reader (
     output wire [15:0] record_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] record_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  error,  // An answer was none of success.
-    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
 );
     reg held;
     reg [26:0] address;
@@ -399,10 +399,10 @@ module bus_reader (
     wire [8:0] length_difference = {burst, 2'd0} - 9'd1;
     wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
-    wire beat_queue_out_ready = advance & length_queue_out_valid;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
+    wire beat_queue_out_ready = advance | ~length_queue_out_valid;
     wire takes_request_or_issues = takes_request | issues;
     wire takes_beat_0 = moves & (number[1:0] == 2'd0);
     wire takes_beat_1 = moves & (number[1:0] == 2'd1);
@@ -456,7 +456,7 @@ module bus_reader (
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
-            misplaced <= moves & (ends & is_wrong_either);
+            misplaced <= (beat_queue_out_valid & ~length_queue_out_valid) | (moves & (ends & is_wrong_either));
         end
     end
     always @(posedge clk) begin

@@ -278,10 +278,11 @@ module bus_reader_v2 (
     output reg  record_valid, input wire record_ready,  // The records.
     output wire [63:0] record_word,  // What a node or a leaf holds.
     output reg  error,  // An answer was none of success.
-    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
 );
     reg held;
     reg [28:0] address;
+    reg [4:0] under_way;
     reg [63:0] held_word_0;
 
     wire address_queue_in_ready;
@@ -289,11 +290,14 @@ module bus_reader_v2 (
     wire beat_queue_out_valid;
     wire [64:0] beat_queue_out_data;
 
-    wire takes_request = ~held | address_queue_in_ready;
+    wire below_limit = ~(under_way == 5'd16);
+    wire issues = held & (address_queue_in_ready & below_limit);
+    wire takes_request = ~held | issues;
     wire [28:0] address_queue_out_address = address_queue_out_data[36:8];
-    wire issues = held & address_queue_in_ready;
     wire advance = ~record_valid | record_ready;
-    wire moves = beat_queue_out_valid & advance;
+    wire misplaced_inverted = ~(|under_way);
+    wire beat_queue_out_ready = advance | misplaced_inverted;
+    wire moves = beat_queue_out_valid & (advance & |under_way);
     wire beat_queue_out_last = beat_queue_out_data[0];
 
     assign request_ready = takes_request;
@@ -312,20 +316,22 @@ module bus_reader_v2 (
     stream_skid_w65 beat_queue (
         .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
         .in_data({m_axi_rdata, m_axi_rlast}),
-        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             held <= 1'd0;
+            under_way <= 5'd0;
             record_valid <= 1'd0;
             error <= 1'd0;
             misplaced <= 1'd0;
         end else begin
             if (takes_request) held <= request_valid;
-            if (advance) record_valid <= moves;
+            under_way <= (under_way + {4'd0, issues}) - {4'd0, moves};
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
-            misplaced <= moves & (beat_queue_out_last ^ 1'd1);
+            misplaced <= (beat_queue_out_valid & misplaced_inverted) | (moves & (beat_queue_out_last ^ 1'd1));
+            if (advance) record_valid <= moves;
         end
     end
     always @(posedge clk) begin
@@ -469,7 +475,7 @@ module bus_reader (
     output wire [31:0] record_y3,  // A point a lane; NaN where there is none.
     output wire [31:0] record_z3,  // A point a lane; NaN where there is none.
     output reg  error,  // An answer was none of success.
-    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
 );
     reg held;
     reg [25:0] address;
@@ -495,10 +501,10 @@ module bus_reader (
     wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
     wire [7:0] length = length_difference[7:0];
     wire advance = ~record_valid | record_ready;
-    wire beat_queue_out_ready = advance & length_queue_out_valid;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
     wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
+    wire beat_queue_out_ready = advance | ~length_queue_out_valid;
     wire takes_request_or_issues = takes_request | issues;
     wire [5:0] records_minus_room_records = {3'd0, records} - room_records;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
@@ -563,7 +569,7 @@ module bus_reader (
                 is_wrong <= ~ends & is_wrong_either;
             end
             error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
-            misplaced <= moves & (ends & is_wrong_either);
+            misplaced <= (beat_queue_out_valid & ~length_queue_out_valid) | (moves & (ends & is_wrong_either));
         end
     end
     always @(posedge clk) begin

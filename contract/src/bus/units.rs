@@ -102,7 +102,7 @@ pub struct Reader<R: Record> {
     record: Out<R>,
     /// An answer was none of success.
     error: Output<bool>,
-    /// A burst ended whose last beat was not marked so, or another was.
+    /// A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
     misplaced: Output<bool>,
 }
 

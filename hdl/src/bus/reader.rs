@@ -2,7 +2,8 @@
 //! `pointcore_golden::bus::reader`.
 //!
 //! A request stays in `request` while its bursts are issued, one a cycle. Strides and borders are powers of two, so every burst
-//! holds whole records; the lengths of the bursts under way wait in a queue to tell where `rlast` is due.
+//! holds whole records; the lengths of the bursts under way wait in a queue to tell where `rlast` is due. Where all have one length
+//! their number does. A beat that comes while none is under way is dropped.
 
 use pointcore_contract::bus::axi::BurstAddress;
 use pointcore_contract::bus::config::{BORDER_BYTES, BURST_BEATS_MAX, ID_BITS, READS_MAX};
@@ -17,7 +18,7 @@ use crate::stream::{fifo, skid};
 use crate::units::passage::Passage;
 use crate::units::ports::{ChannelInPorts, ChannelOutPorts, Flow, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::{Bundle, Wires, layout};
-use rtl::{Module, bit, cat, lit};
+use rtl::{Module, Reg, Wire, address_width, bit, cat, lit};
 
 /// What an address channel says of a burst of records of a stride.
 #[record(stride: u32)]
@@ -56,7 +57,7 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     let request = ports.request.declare(&mut m, &records_max);
     let stride = Layout::record::<R>(config).stride(memory_bits).ilog2();
     let chunk_records = chunk_records::<R>(config, memory_bits);
-    let (burst, lengths) = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
+    let (burst, under_way) = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
     address_out(&mut m, ports.memory.address, &burst, stride, memory_bits / 8);
 
     let bits = &beats.used_bits();
@@ -69,24 +70,28 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     let record_valid = m.reg_reset("record_valid", 1, 0);
     let record_taken = m.forward("record_taken", 1);
     let advance = m.wire("advance", !record_valid | record_taken);
-    let expected = lengths.as_ref().map_or(bit(true), |lengths| lengths.valid);
+    let expected = match &under_way {
+        UnderWay::Lengths(lengths) => lengths.valid,
+        UnderWay::Count { count, .. } => count.any(),
+    };
     let moves = m.wire("moves", head.valid & (advance & expected));
-    m.drive(head.ready, advance & expected);
+    m.drive(head.ready, advance | !expected);
 
     // The number of the beat in its burst; its low bits are the place in the record.
-    let number_bits = if lengths.is_some() { LENGTH_BITS } else { beats.place_bits() };
+    let number_bits = if matches!(under_way, UnderWay::Lengths(_)) { LENGTH_BITS } else { beats.place_bits() };
     let number = (number_bits > 0).then(|| m.reg_reset("number", number_bits, 0));
-    let ends = match (&number, &lengths) {
-        (Some(number), Some(lengths)) => number.eq(lengths.record.length),
-        (Some(number), None) => number.eq_lit(beats.count as u128 - 1),
+    let ends = match (&number, &under_way) {
+        (Some(number), UnderWay::Lengths(lengths)) => number.eq(lengths.record.length),
+        (Some(number), UnderWay::Count { .. }) => number.eq_lit(beats.count as u128 - 1),
         (None, _) => bit(true),
     };
     let ends = m.wire("ends", ends);
     if let Some(number) = &number {
         m.next_if(*number, moves, ends.mux(lit(number_bits, 0), number.add_lit(1)));
     }
-    if let Some(lengths) = &lengths {
-        m.drive(lengths.ready, moves & ends);
+    match &under_way {
+        UnderWay::Lengths(lengths) => m.drive(lengths.ready, moves & ends),
+        UnderWay::Count { ends: burst_ends, .. } => m.drive(*burst_ends, moves & ends),
     }
     let place = (beats.count > 1).then(|| number.as_ref().map(|number| number.trunc(beats.place_bits()))).flatten();
     let completes = place.map_or(bit(true), |place| place.eq_lit(beats.count as u128 - 1));
@@ -99,11 +104,20 @@ pub fn limited<R: Record>(config: &R::Config, memory_bits: u32, records_max: u32
     let misplaced = head.record.last ^ ends;
     let is_wrong = m.reg_reset("is_wrong", 1, 0);
     m.next_if(is_wrong, moves, !ends & (is_wrong | misplaced));
-    ports.misplaced.event(&mut m, moves & (ends & (is_wrong | misplaced)));
+    let unasked = head.valid & !expected;
+    ports.misplaced.event(&mut m, unasked | (moves & (ends & (is_wrong | misplaced))));
     m
 }
 
-/// Splits requests into bursts; returns those for the address channel, and the lengths of the bursts under way, unless all are the same.
+/// The bursts that memory has not answered.
+enum UnderWay {
+    /// The length of each.
+    Lengths(Flow<Length<Wires>>),
+    /// How many there are, where all have one length, and where the oldest ends.
+    Count { count: Reg, ends: Wire },
+}
+
+/// Splits requests into bursts; returns those for the address channel, and those under way.
 fn bursts(
     m: &mut Module,
     request: &Flow<ReadRequest<Wires>>,
@@ -112,7 +126,7 @@ fn bursts(
     memory_bits: u32,
     records_max: u32,
     reads_max: u32,
-) -> (Flow<Burst<Wires>>, Option<Flow<Length<Wires>>>) {
+) -> (Flow<Burst<Wires>>, UnderWay) {
     let beat_bytes = memory_bits / 8;
     debug_assert_eq!(chunk_records << stride, BORDER_BYTES.min(BURST_BEATS_MAX * beat_bytes));
     let record_beats_log2 = stride - beat_bytes.ilog2();
@@ -123,15 +137,19 @@ fn bursts(
     let asked_address = request.record.address.bits(ADDRESS_BITS - 1, stride);
     let issues;
     let length;
-    let lengths;
+    let under_way;
     if records_max == 1 {
-        issues = m.wire("issues", held & room);
-        let ready = m.wire("takes_request", !held | room);
+        let count = m.reg_reset("under_way", address_width(reads_max + 1), 0);
+        let below_limit = m.wire("below_limit", !count.eq_lit(reads_max.into()));
+        issues = m.wire("issues", held & (room & below_limit));
+        let ready = m.wire("takes_request", !held | issues);
+        let ends = m.forward("burst_ends", 1);
+        m.next(count, count + issues.zext(count.width()) - ends.zext(count.width()));
         m.drive(request.ready, ready);
         m.next_if(held, ready, request.valid);
         m.next_if(address, ready, asked_address);
         length = lit(LENGTH_BITS, (1 << record_beats_log2) - 1);
-        lengths = None;
+        under_way = UnderWay::Count { count, ends };
     } else {
         let records = m.reg("records", request.record.records.width());
         let chunk_bits = chunk_records.ilog2();
@@ -142,8 +160,8 @@ fn bursts(
         let crosses = m.wire("crosses", wanted.gt(room_records));
         let burst = m.wire("burst", crosses.mux(room_records, wanted));
         let queue = fifo(reads_max, &layout::<Length>(&()));
-        let under_way = Passage::<Length>::place(m, "length_queue", queue);
-        let below_limit = under_way.room(m);
+        let lengths = Passage::<Length>::place(m, "length_queue", queue);
+        let below_limit = lengths.room(m);
         issues = m.wire("issues", held & (room & below_limit));
         let ready = m.wire("takes_request", !held | (issues & !crosses));
         m.drive(request.ready, ready);
@@ -161,11 +179,11 @@ fn bursts(
             shift => cat([burst.resize(LENGTH_BITS + 1 - shift), lit(shift, 0)]),
         };
         length = m.wire("length", beats.sub_lit(1).trunc(LENGTH_BITS));
-        under_way.push(m, &(), issues, Length { length });
-        lengths = Some(under_way.out(m, &()));
+        lengths.push(m, &(), issues, Length { length });
+        under_way = UnderWay::Lengths(lengths.out(m, &()));
     }
     queue.push(m, &stride, issues, Burst { address: address.expr(), length });
-    (queue.out(m, &stride), lengths)
+    (queue.out(m, &stride), under_way)
 }
 
 /// Drives an address channel from a queue of record addresses and lengths.

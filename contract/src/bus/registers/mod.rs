@@ -72,8 +72,8 @@ pub const ERRORS: [(ErrorCounter, &str, &str); 5] = [
     (
         ErrorCounter::Burst,
         "burst_errors",
-        "bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, and leaves without beats, read as of \
-         one",
+        "bursts refused by `s_axi`, read bursts from memory whose `rlast` was not at their end, beats from memory that nobody \
+         asked for, and leaves without beats, read as of one",
     ),
     (
         ErrorCounter::Packet,
