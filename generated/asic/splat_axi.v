@@ -48,7 +48,10 @@ module splat_axi (
     input  wire [1:0] m_axi_bresp,  // Whether all is well: 0 if so.
     output wire irq  // Interrupt.
 );
-    reg [11:0] awaited;
+    reg [5:0] pixel_awaited;
+    reg [1:0] tiles_awaited;
+    reg [5:0] pixel_held;
+    reg [1:0] tiles_held;
     reg has_ended;
 
     wire core_splat_ready, core_read_valid;
@@ -80,17 +83,31 @@ module splat_axi (
     wire [51:0] reads_record_depth;
     wire [39:0] reads_record_attribute_0, reads_record_attribute_1, reads_record_attribute_2;
     wire reads_error, reads_misplaced, writes_in_ready, writes_error, writes_idle, early_end_aborts;
-    wire early_end_ended;
+    wire early_end_ended, pixels_in_ready, pixels_out_valid;
+    wire [199:0] pixels_out_data;
 
-    wire core_read_ready = reads_request_ready & writes_idle;
-    wire no_read = ~core_read_valid;
+    wire reads_tile = reads_request_ready & writes_idle;
+    wire tile_fits = ~(tiles_held == 2'd2);
+    wire core_read_ready = reads_tile & tile_fits;
+    wire [27:0] pixels_out_weight = pixels_out_data[199:172];
+    wire [51:0] pixels_out_depth = pixels_out_data[171:120];
+    wire [39:0] pixels_out_attribute_0 = pixels_out_data[119:80];
+    wire [39:0] pixels_out_attribute_1 = pixels_out_data[79:40];
+    wire [39:0] pixels_out_attribute_2 = pixels_out_data[39:0];
+    wire core_read_valid_and_tile_fits = core_read_valid & tile_fits;
+    wire no_read = ~core_read_valid_and_tile_fits;
     wire core_write_ready = writes_in_ready & no_read;
     wire has_ended_both = has_ended & ~registers_start;
     wire is_idle = fragments_idle & writes_idle;
+    wire rst_or_early_end_aborts = rst | early_end_aborts;
     wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
-    wire reads_record_ready = core_data_ready | early_end_aborts;
+    wire reads_record_ready = pixels_in_ready | early_end_aborts;
     wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
-    wire quiet = is_idle & (awaited == 12'd0);
+    wire quiet = is_idle & (tiles_awaited == 2'd0);
+    wire pixel_awaited_both = reads_record_valid & reads_record_ready;
+    wire tile_begins = core_read_valid & core_read_ready;
+    wire pixel_held_both = pixels_out_valid & core_data_ready;
+    wire [1:0] tiles_held_difference = (tiles_held + {1'd0, tile_begins}) - {1'd0, pixel_held_both & &pixel_held};
     wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
 
     splat_top core (
@@ -105,9 +122,9 @@ module splat_axi (
         .splat_tangent2_z(splats_out_tangent2_z), .splat_attribute_0(splats_out_attribute_0),
         .splat_attribute_1(splats_out_attribute_1), .splat_attribute_2(splats_out_attribute_2),
         .read_valid(core_read_valid), .read_ready(core_read_ready), .read_tile(core_read_tile),
-        .data_valid(reads_record_valid), .data_ready(core_data_ready), .data_weight(reads_record_weight),
-        .data_depth(reads_record_depth), .data_attribute_0(reads_record_attribute_0),
-        .data_attribute_1(reads_record_attribute_1), .data_attribute_2(reads_record_attribute_2),
+        .data_valid(pixels_out_valid), .data_ready(core_data_ready), .data_weight(pixels_out_weight),
+        .data_depth(pixels_out_depth), .data_attribute_0(pixels_out_attribute_0),
+        .data_attribute_1(pixels_out_attribute_1), .data_attribute_2(pixels_out_attribute_2),
         .write_valid(core_write_valid), .write_ready(core_write_ready), .write_tile(core_write_tile),
         .write_pixel(core_write_pixel), .write_weight(core_write_weight), .write_depth(core_write_depth),
         .write_attribute_0(core_write_attribute_0), .write_attribute_1(core_write_attribute_1),
@@ -145,9 +162,9 @@ module splat_axi (
     );
 
     bus_packet_in splats (
-        .clk(clk), .rst(rst | early_end_aborts), .opens(registers_start), .s_axis_tvalid(s_axis_splat_tvalid),
-        .s_axis_tready(s_axis_splat_tready), .s_axis_tdata(s_axis_splat_tdata),
-        .s_axis_tlast(s_axis_splat_tlast),
+        .clk(clk), .rst(rst_or_early_end_aborts), .opens(registers_start),
+        .s_axis_tvalid(s_axis_splat_tvalid), .s_axis_tready(s_axis_splat_tready),
+        .s_axis_tdata(s_axis_splat_tdata), .s_axis_tlast(s_axis_splat_tlast),
         .out_valid(splats_out_valid), .out_ready(core_splat_ready), .out_end(splats_out_end),
         .out_center_x(splats_out_center_x), .out_center_y(splats_out_center_y),
         .out_center_z(splats_out_center_z), .out_tangent1_x(splats_out_tangent1_x),
@@ -169,7 +186,7 @@ module splat_axi (
     );
 
     bus_reader reads (
-        .clk(clk), .rst(rst), .request_valid(core_read_valid & writes_idle),
+        .clk(clk), .rst(rst), .request_valid(core_read_valid_and_tile_fits & writes_idle),
         .request_ready(reads_request_ready), .request_address(tile_address), .request_records(7'd64),
         .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
         .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
@@ -202,15 +219,86 @@ module splat_axi (
         .aborts(early_end_aborts), .ended(early_end_ended)
     );
 
+    stream_fifo_d128_w200 pixels (
+        .clk(clk), .rst(rst_or_early_end_aborts), .in_valid(reads_record_valid), .in_ready(pixels_in_ready),
+        .in_data({
+            reads_record_weight, reads_record_depth, reads_record_attribute_0, reads_record_attribute_1,
+            reads_record_attribute_2
+        }),
+        .out_valid(pixels_out_valid), .out_ready(core_data_ready), .out_data(pixels_out_data)
+    );
+
     always @(posedge clk) begin
         if (rst) begin
-            awaited <= 12'd0;
+            pixel_awaited <= 6'd0;
+            tiles_awaited <= 2'd0;
+            pixel_held <= 6'd0;
+            tiles_held <= 2'd0;
             has_ended <= 1'd0;
         end else begin
-            awaited <= (awaited + ((core_read_valid & core_read_ready) ? 12'd64 : 12'd0)) - {11'd0, reads_record_valid & reads_record_ready};
+            pixel_awaited <= pixel_awaited + {5'd0, pixel_awaited_both};
+            tiles_awaited <= (tiles_awaited + {1'd0, tile_begins}) - {1'd0, pixel_awaited_both & &pixel_awaited};
+            pixel_held <= early_end_aborts ? 6'd0 : (pixel_held + {5'd0, pixel_held_both});
+            tiles_held <= early_end_aborts ? 2'd0 : tiles_held_difference;
             has_ended <= is_last | has_ended_both;
         end
     end
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 128
+// width = 200
+module stream_fifo_d128_w200 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [199:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [199:0] out_data
+);
+    reg [7:0] held, waiting;
+    reg [6:0] write_address, read_address;
+    wire [199:0] item;
+
+    wire has_room = ~held[7];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(200), .DEPTH(128)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 8'd0;
+            waiting <= 8'd0;
+            write_address <= 7'd0;
+            read_address <= 7'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {7'd0, push}) - {7'd0, pop};
+            waiting <= (waiting + {7'd0, push}) - {7'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 7'd1;
+            if (fetch) read_address <= read_address + 7'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 8'd128);
+        held_is_waiting_and_shown: assert (held == (waiting + {7'd0, out_valid}));
+`else
+        if (!(held <= 8'd128)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {7'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Ends a run early: keeps the core in reset until nothing is under way.

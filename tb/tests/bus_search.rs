@@ -9,7 +9,7 @@ use pointcore_hdl::bus::search;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
-use crate::bus::host::{Around, Host, RESET};
+use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::search::tree::Tree;
 use crate::search::{query, word};
 
@@ -58,6 +58,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         writes: None,
         window: has_window.then_some(TOP.window),
         memory: MEMORY_BYTES,
+        memory_order: MemoryOrder::Any,
     };
     let mut host = Host::new(top.module, config, config.bus, around, seed);
     let points = Layout::record::<Points>(config);

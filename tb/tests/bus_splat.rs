@@ -11,7 +11,7 @@ use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::{Stall, seeds};
 
-use crate::bus::host::{Around, Host, RESET};
+use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::splat::{configs, fixed_configs, scene};
 
 /// Splats and ends of several frames.
@@ -32,7 +32,7 @@ fn expected(config: &Config, frame: &EncodedFrame) -> Vec<Fragment> {
 }
 
 /// The frames over the bus; a packet now and then is too short, and is sent again.
-fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment> {
+fn on_the_bus(config: &Config, frame: &EncodedFrame, memory_order: MemoryOrder, seed: u64) -> Vec<Fragment> {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
         map: SplatRegisters::registers(config),
@@ -42,6 +42,7 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment>
         writes: Some(TOP.writes),
         window: None,
         memory: MEMORY_BYTES,
+        memory_order,
     };
     let mut host = Host::<Splat, Fragment>::new(top.module, config, config.bus, around, seed);
     assert_eq!(host.read("id"), 0x5043_0a01);
@@ -92,9 +93,12 @@ fn frames_on_the_bus_are_those_of_the_model() {
         let frame = frames(&config);
         let expected = expected(&config, &frame);
         assert!(expected.len() > 250, "{} fragments", expected.len());
-        for seed in seeds(2).unwrap() {
-            let found = on_the_bus(&config, &frame, seed);
-            assert!(found == expected, "seed {seed}: {} fragments instead of {}", found.len(), expected.len());
+        for memory_order in [MemoryOrder::Any, MemoryOrder::ReadsFirst] {
+            for seed in seeds(1).unwrap() {
+                let found = on_the_bus(&config, &frame, memory_order, seed);
+                let counts = format!("{} fragments instead of {}", found.len(), expected.len());
+                assert!(found == expected, "{memory_order:?}, seed {seed}: {counts}");
+            }
         }
     }
 }

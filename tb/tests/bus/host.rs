@@ -102,6 +102,7 @@ pub struct Host<I: Packet, O: Packet> {
     reads: Vec<Reads>,
     writes: Option<Writes>,
     window: Option<(Feed, Feed, Drain)>,
+    memory_order: MemoryOrder,
     /// Bytes behind all memory ports.
     pub memory: Vec<u8>,
     /// Packets that came.
@@ -130,6 +131,17 @@ pub struct Around {
     pub window: Option<Slave>,
     /// Bytes of memory.
     pub memory: usize,
+    /// What the memory does first.
+    pub memory_order: MemoryOrder,
+}
+
+/// What a memory does first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MemoryOrder {
+    /// Reads and writes side by side.
+    Any,
+    /// It finishes the bursts that it reads before it takes anything that is written.
+    ReadsFirst,
 }
 
 impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, Config = C>> Host<I, O> {
@@ -170,6 +182,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             reads,
             writes,
             window,
+            memory_order: around.memory_order,
             memory: vec![0; around.memory],
             received: vec![],
             bench,
@@ -177,7 +190,8 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     }
 
     pub fn step(&mut self) {
-        let Self { bench, register_write, register_read, packets_in, packets_out, reads, writes, window, .. } = self;
+        let Self { bench, register_write, register_read, packets_in, packets_out, .. } = self;
+        let Self { reads, writes, window, memory_order, .. } = self;
         let mut feeds = vec![&mut register_write.0, &mut register_write.1, &mut register_read.0, packets_in];
         let mut drains = vec![&mut register_write.2, &mut register_read.1, packets_out];
         for Reads { address, data } in reads.iter_mut() {
@@ -194,6 +208,11 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         }
         feeds.into_iter().for_each(|feed| feed.offer(bench));
         drains.into_iter().for_each(|drain| drain.offer(bench));
+        let reads_wait = reads.iter().any(|reads| !reads.data.items.is_empty());
+        if let (true, MemoryOrder::ReadsFirst, Some(writes)) = (reads_wait, *memory_order, writes) {
+            writes.address.wait(bench);
+            writes.data.wait(bench);
+        }
         bench.step();
         let beat_bytes = self.widths.memory_bits as usize / 8;
         [&mut self.register_write.0, &mut self.register_write.1, &mut self.register_read.0, &mut self.packets_in]

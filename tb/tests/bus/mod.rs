@@ -15,6 +15,8 @@ use crate::support;
 
 /// Bits of a word that crosses to the hardware.
 const WORD_BITS: u32 = 64;
+/// No test of a unit or a top takes as many.
+const CYCLES_MAX: u64 = 4_000_000;
 /// Runs of one configuration.
 pub const SEEDS: u64 = 3;
 
@@ -87,7 +89,7 @@ impl Bench {
         let Self { model, inputs, outputs, cycle } = self;
         model.step(inputs, outputs).unwrap_or_else(|error| panic!("cycle {cycle}: {error}"));
         self.cycle += 1;
-        assert!(self.cycle < 1_000_000, "the unit is stuck");
+        assert!(self.cycle < CYCLES_MAX, "the unit is stuck");
     }
 }
 
@@ -228,6 +230,11 @@ impl Drain {
     /// Before a cycle.
     pub fn offer(&mut self, bench: &mut Bench) {
         bench.inputs[self.ready] = u64::from(!self.stalls.stalled());
+    }
+
+    /// Before a cycle in which nothing is taken.
+    pub fn wait(&self, bench: &mut Bench) {
+        bench.inputs[self.ready] = 0;
     }
 
     /// After a cycle: what was taken in it. What is offered stands until then.

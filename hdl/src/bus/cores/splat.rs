@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use pointcore_contract::bus::config::READS_MAX;
 use pointcore_contract::bus::registers::{ErrorInputs, ErrorSources, RegisterMap, SplatRegisters, UniformBits};
 use pointcore_contract::bus::units;
 use pointcore_contract::bus::units::splat_axi::Ports;
@@ -16,16 +15,20 @@ use super::wiring::{Abort, report};
 use crate::bus::{Top, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::splat::top;
+use crate::stream::fifo;
+use crate::units::passage::Passage;
 use crate::units::ports::{
-    InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, export, pipe,
+    Flow, InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, export,
+    pipe,
 };
-use rtl::{Module, bit, cat, lit};
+use crate::units::wires::layout;
+use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
 
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
 const ERROR_SOURCES: ErrorSources = ErrorSources { busy: 0, burst: 1, packet: 1, memory: 2 };
 
-/// Bits that count the pixels awaited from memory: of as many tiles as the reader takes, and more.
-const AWAITED_BITS: u32 = (TILE_PIXELS * 4 * READS_MAX).ilog2();
+/// Tiles that may be asked for and not taken: one comes while another is taken.
+const TILES_READ: u32 = 2;
 
 /// The ports of what is placed.
 const TOP: Ports = Ports::ALL;
@@ -70,16 +73,10 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
     let buffer =
         Buffer::<Pixel> { config, tile_pixels: TILE_PIXELS, memory_bits: bus.memory_bits, base, reads, writes };
-    let (read, write) = (PORTS.read.of(&mut m, config, core), PORTS.write.of(&mut m, config, core));
+    let write = PORTS.write.of(&mut m, config, core);
     let write = write.map(|placed| Placed { tile: placed.tile, pixel: placed.pixel, value: placed.value });
-    let asks = read.transfer();
-    buffer.order(&mut m, read.map(|read| read.tile), write);
-    let pixel = READS.record.of(&mut m, config, reads);
-    let taken = PORTS.data.offer(&mut m, config, core, pixel.valid, pixel.record);
-    m.drive(pixel.ready, taken | abort.drops);
-    let awaited = m.reg_reset("awaited", AWAITED_BITS, 0);
-    let asked = asks.mux(lit(AWAITED_BITS, TILE_PIXELS.into()), lit(AWAITED_BITS, 0));
-    m.next(awaited, awaited + asked - pixel.transfer().zext(AWAITED_BITS));
+    let (read, all_came) = tiles(&mut m, config, core, reads, abort);
+    buffer.order(&mut m, read, write);
 
     // The run ends when its last packet has left and memory has answered.
     let fragment = PORTS.fragment.of(&mut m, config, core);
@@ -89,7 +86,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     m.next(has_ended, is_last | (has_ended & !start));
     let idle = [FRAGMENTS.idle.word_of(&mut m, fragments), WRITES.idle.word_of(&mut m, writes)];
     let idle = m.wire("is_idle", idle[0] & idle[1]);
-    let quiet = m.wire("quiet", idle & awaited.is_zero());
+    let quiet = m.wire("quiet", idle & all_came);
     let finished = abort.finished(&mut m, (has_ended & !start) & idle, quiet);
     CONTROL.finished.feed_word(&mut m, control, finished);
     CONTROL.occupied.feed_word(&mut m, control, bit(false));
@@ -106,6 +103,41 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let irq = report::<SplatRegisters, Splat, Fragment>(&mut m, config, control, events, [splats, fragments]);
     TOP.irq.drive_word(&mut m, irq);
     Ok(Top { module: m, core: core_module, manifests })
+}
+
+/// Leads tiles from memory through a queue that has room for all that was asked for, so that memory never waits for the core, which
+/// may wait for memory to take what it writes. Returns the tiles to be read, and whether all that was asked for came.
+fn tiles(m: &mut Module, config: &Config, core: Instance, reads: Instance, abort: Abort) -> (Flow<Expr>, Expr) {
+    let wanted = PORTS.read.of(m, config, core);
+    let queue = Passage::<Pixel>::place(m, "pixels", fifo(TILES_READ * TILE_PIXELS, &layout::<Pixel>(config)));
+    m.reset_by(queue.instance(), abort.drops);
+    let pixel = READS.record.of(m, config, reads);
+    let room = queue.room(m);
+    queue.push(m, config, pixel.valid, pixel.record);
+    m.drive(pixel.ready, room | abort.drops);
+    let stored = queue.out(m, config);
+    let taken = PORTS.data.offer(m, config, core, stored.valid, stored.record);
+    m.drive(stored.ready, taken);
+
+    // Tiles asked for of which not all pixels have come, and of which not all have been taken.
+    let ready = m.forward("reads_tile", 1);
+    let begins = m.wire("tile_begins", wanted.transfer());
+    let awaited = unfinished(m, "awaited", begins, pixel.transfer(), bit(false));
+    let held = unfinished(m, "held", begins, stored.transfer(), abort.drops);
+    let fits = m.wire("tile_fits", !held.eq_lit(TILES_READ.into()));
+    m.drive(wanted.ready, ready & fits);
+    (Flow { valid: wanted.valid & fits, record: wanted.record.tile, ready }, awaited.is_zero())
+}
+
+/// Counts tiles that have begun and lack pixels.
+fn unfinished(m: &mut Module, name: &str, begins: Expr, pixel: Expr, clear: Expr) -> Reg {
+    let [pixel_bits, tile_bits] = [TILE_PIXELS.ilog2(), address_width(TILES_READ + 1)];
+    let place = m.reg_reset(&format!("pixel_{name}"), pixel_bits, 0);
+    m.next(place, clear.mux(lit(pixel_bits, 0), place + pixel.zext(pixel_bits)));
+    let tiles = m.reg_reset(&format!("tiles_{name}"), tile_bits, 0);
+    let ends = pixel & place.all();
+    m.next(tiles, clear.mux(lit(tile_bits, 0), tiles + begins.zext(tile_bits) - ends.zext(tile_bits)));
+    tiles
 }
 
 /// How writes to uniforms come from the registers.
