@@ -27,7 +27,9 @@ fn line(line: &str) -> String {
     }
     let line = line
         .replace("` as i128", "`")
-        .replace("unit variant, expected string only", "not text, expected a word in quotes");
+        .replace("unit variant, expected string only", "not text, expected a word in quotes")
+        .replace("invalid digit found in string", "expected a whole number from 0 up")
+        .replace("invalid float literal", "expected a number");
     let line = line.replace("wanted string or table", "expected a word in quotes");
     let Some((found, expected)) = line.split_once(EXPECTED) else { return line };
     let word = expected.trim_end();

@@ -14,8 +14,8 @@ const FOV_RANGE_DEGREES: RangeInclusive<f64> = 0.01..=179.0;
 const DEPTH_RANGE: RangeInclusive<f64> = 1e-9..=1e12;
 /// The opening angle of a camera that says none: that of a portrait lens, which hardly distorts.
 const DEFAULT_FOV_DEGREES: f64 = 30.0;
-/// Frames of a path: a minute and a half.
-const FRAMES_LIMIT: usize = 2000;
+/// The most frames of a sequence: a minute and a half.
+pub const FRAMES_LIMIT: usize = 2000;
 
 /// A key and what is wrong with its value.
 pub(super) type Problem = (&'static str, String);
@@ -81,9 +81,15 @@ pub(super) fn check(camera: &CameraTable, image: &ImageTable) -> Result<(), Prob
         ("camera.up", camera.up),
         ("camera.from", camera.from),
     ];
-    for (key, vector) in own.into_iter().chain(of_keyframes) {
-        if !vector.unwrap_or_default().iter().all(|component| component.abs() <= COORDINATE_LIMIT) {
+    for (key, vector) in own.into_iter().chain(of_keyframes).filter_map(|(key, vector)| Some((key, vector?))) {
+        if !vector.iter().all(|component| component.abs() <= COORDINATE_LIMIT) {
             return Err((key, format!("is {vector:?}: expected numbers up to {COORDINATE_LIMIT:e}")));
+        }
+    }
+    // Where the camera fits, no other direction makes these meaningless.
+    for (key, vector) in [("camera.up", camera.up), ("camera.from", camera.from)] {
+        if camera.fit && vector.is_some_and(|vector| DVec3::from_array(vector).try_normalize().is_none()) {
+            return Err((key, format!("is {:?}: expected a vector other than zero", vector.unwrap_or_default())));
         }
     }
     check_alternatives(camera)
@@ -109,10 +115,10 @@ fn check_alternatives(camera: &CameraTable) -> Result<(), Problem> {
     if camera.frames.is_some() != is_path || camera.keyframes.len() == 1 {
         return Err(("camera.frames", "goes with two keyframes or more: `[[camera.keyframe]]`".to_owned()));
     }
-    if let Some(frames) = camera.turntable.or(camera.frames)
-        && !(1..=FRAMES_LIMIT).contains(&frames)
-    {
-        return Err(("camera.frames", format!("are {frames}: expected 1 to {FRAMES_LIMIT}")));
+    for (key, frames) in [("camera.turntable", camera.turntable), ("camera.frames", camera.frames)] {
+        if let Some(frames) = frames.filter(|frames| !(1..=FRAMES_LIMIT).contains(frames)) {
+            return Err((key, format!("is {frames}: expected 1 to {FRAMES_LIMIT} frames")));
+        }
     }
     if !camera.fit && !is_path {
         for (key, given) in [("camera.eye", camera.eye), ("camera.target", camera.target)] {

@@ -1,5 +1,6 @@
 //! What can be wrong with a scene or a model: every message names the file, the place in it and the remedy.
 
+use super::model::COORDINATE_LIMIT;
 use std::path::{Path, PathBuf};
 
 /// A scene or model that cannot be used.
@@ -39,6 +40,20 @@ pub enum SceneError {
         /// What is wrong and what would be right.
         problem: String,
     },
+    /// A point of a model that is nowhere.
+    #[error(
+        "{}: vertex {index} lies at {point:?}: coordinates must be finite and below {COORDINATE_LIMIT:e}{remedy}", path.display()
+    )]
+    Point {
+        /// The model file.
+        path: PathBuf,
+        /// The point's place in it.
+        index: usize,
+        /// The point.
+        point: [f64; 3],
+        /// How whoever reads the file has such points left out, after a semicolon; may be empty.
+        remedy: &'static str,
+    },
     /// A model file that does not hold usable points.
     #[error("{}: {problem}", path.display())]
     Model {
@@ -52,5 +67,14 @@ pub enum SceneError {
 impl SceneError {
     pub(crate) fn model(path: &Path, problem: impl Into<String>) -> Self {
         Self::Model { path: path.to_owned(), problem: problem.into() }
+    }
+
+    /// The same error; if it is about a point that is no number, with what leaves such points out.
+    #[must_use]
+    pub fn remedied(self, remedy: &'static str) -> Self {
+        match self {
+            Self::Point { path, index, point, .. } => Self::Point { path, index, point, remedy },
+            other => other,
+        }
     }
 }

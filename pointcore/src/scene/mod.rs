@@ -19,10 +19,11 @@ mod settings;
 mod shapes;
 
 pub use builder::SceneBuilder;
+pub use camera::FRAMES_LIMIT;
 pub use disc::{Disc, Placement, Sides};
 pub use error::SceneError;
 pub use file::{Light, Material};
-pub use model::{InvalidPoints, Model, NormalOrigin, NormalSource};
+pub use model::{InvalidPoints, Model, NormalOrigin, NormalSource, is_guarded};
 pub use shapes::trefoil;
 
 use file::SceneFile;

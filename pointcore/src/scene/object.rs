@@ -4,7 +4,7 @@ use super::camera::Problem;
 use super::disc::{Disc, Sides};
 use super::error::SceneError;
 use super::file::{DerivedRadius, Kind, ObjectTable, Points, Radius};
-use super::model::COORDINATE_LIMIT;
+use super::model::{COORDINATE_LIMIT, Model};
 use super::{SPLAT_LIMIT, neighbors, scan, shapes};
 use crate::color::linear_from_srgb;
 use glam::{DQuat, DVec2, DVec3, EulerRot};
@@ -42,11 +42,15 @@ pub(super) fn build(
     check_keys(object).map_err(value)?;
     check_placement(object).map_err(value)?;
     let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
+    // A model alone has no scene file to be edited.
+    let points_key = format!("{}{key}.points", if Model::is_model(scene) { "--set " } else { "" });
+    let points_key = if Model::is_model(scene) { points_key + "=COUNT" } else { points_key };
     let surface = if object.kind == Kind::File {
         let relative = required(object.path.as_deref(), "path", Kind::File).map_err(value)?;
         let path = scene.parent().unwrap_or(Path::new("")).join(relative);
-        scan::surface(object, &path, color, notes).map_err(|error| match error {
-            SceneError::Read { path, source } => {
+        scan::surface(object, &path, color, &points_key, notes).map_err(|error| match error {
+            // A model without a scene has no key that leads to it.
+            SceneError::Read { path, source } if !Model::is_model(scene) => {
                 let (path, example) = (path.display(), format!("--set {key}.path=FILE"));
                 let problem =
                     format!("leads to {path}, which cannot be read ({source}): set another, e.g. by `{example}`");

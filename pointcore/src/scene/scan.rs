@@ -29,21 +29,23 @@ const SPACING_PER_DEVIATION: f64 = 4.0 / 3.0;
 /// An ellipse as narrow as this share of its length has hardly any pixel of its own.
 const NARROWEST: f64 = 0.125;
 
-/// Loads an object's file.
+/// Loads an object's file; `points_key` is how a user sets the number of its points.
 pub(super) fn surface(
     object: &ObjectTable,
     path: &Path,
     color: [f32; 3],
+    points_key: &str,
     notes: &mut Vec<String>,
 ) -> Result<Surface, SceneError> {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let drops = object.drop_invalid.unwrap_or(false);
-    let model = Model::load_with(path, if drops { InvalidPoints::Drop } else { InvalidPoints::Refuse })?;
+    let model = Model::load_with(path, if drops { InvalidPoints::Drop } else { InvalidPoints::Refuse });
+    let model = model.map_err(|error| error.remedied("; `drop_invalid = true` leaves such points out"))?;
     let mut note = |text: String| notes.push(format!("{name}: {text}"));
-    if model.dropped > 0 {
-        note(format!("{} points are no numbers and were left out", model.dropped));
+    if !model.dropped.is_empty() {
+        note(format!("{} points are no numbers and were left out", model.dropped.len()));
     }
-    let model = resampled(model, object.points, &mut note);
+    let model = resampled(model, object.points, points_key, &mut note);
     let fault = |problem| SceneError::model(path, problem);
     let source = object.normals.unwrap_or_default();
     let (normals, is_estimated) = match model.given_normals(source).map_err(fault)? {
@@ -94,7 +96,7 @@ fn without_repeated(
     (vectors(points), vectors(normals), kept.iter().map(|&index| colors[index]).collect())
 }
 
-fn resampled(model: Model, points: Option<Points>, note: &mut impl FnMut(String)) -> Model {
+fn resampled(model: Model, points: Option<Points>, key: &str, note: &mut impl FnMut(String)) -> Model {
     let (before, is_mesh) = (model.points.len(), !model.triangles.is_empty());
     let count = match points {
         None => return model,
@@ -107,7 +109,7 @@ fn resampled(model: Model, points: Option<Points>, note: &mut impl FnMut(String)
     let (what, now) = (if is_mesh { "vertices" } else { "points" }, sampled.points.len());
     if now != before {
         let instead = if is_mesh { "points of its faces are" } else { "of them, evenly chosen, are" };
-        note(format!("{before} {what}, in whose place {now} {instead} drawn (`object.0.points`)"));
+        note(format!("{before} {what}, in whose place {now} {instead} drawn: `{key}` says another number"));
     }
     sampled
 }

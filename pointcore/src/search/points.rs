@@ -2,7 +2,7 @@
 
 use super::SearchError;
 use crate::number::{decode, encode};
-use crate::scene::{Model, trefoil};
+use crate::scene::{InvalidPoints, Model, trefoil};
 use glam::DVec3;
 use pointcore_contract::Format;
 use pointcore_contract::search::records::Point;
@@ -19,6 +19,7 @@ pub struct PointSet {
     origin: DVec3,
     points: Vec<[f32; 3]>,
     given: Vec<DVec3>,
+    left_out: Vec<u32>,
 }
 
 impl PointSet {
@@ -44,7 +45,7 @@ impl PointSet {
         if given.is_empty() {
             return Err(SearchError::NoPoint);
         }
-        let mut set = Self { format, origin, points: Vec::new(), given };
+        let mut set = Self { format, origin, points: Vec::new(), given, left_out: Vec::new() };
         set.points = set.given.par_iter().map(|point| set.rounded(*point)).collect();
         match set.points.iter().position(|point| !point.iter().all(|number| number.is_finite())) {
             Some(index) => Err(SearchError::Coordinate { index, point: set.given[index].as_vec3().to_array(), format }),
@@ -57,7 +58,30 @@ impl PointSet {
     /// # Errors
     /// The file cannot be used.
     pub fn load(format: Format, source: &PointSource) -> Result<Self, SearchError> {
-        Self::recentered(format, source.points()?)
+        Self::load_with(format, source, InvalidPoints::Refuse)
+    }
+
+    /// Loads or makes the points of a source; of a file's points those that are no numbers may be left out.
+    ///
+    /// # Errors
+    /// The file cannot be used.
+    pub fn load_with(format: Format, source: &PointSource, invalid: InvalidPoints) -> Result<Self, SearchError> {
+        let (points, left_out) = source.points_with(invalid)?;
+        Ok(Self { left_out, ..Self::recentered(format, points)? })
+    }
+
+    /// How many points of the file were left out.
+    #[must_use]
+    pub fn left_out(&self) -> usize {
+        self.left_out.len()
+    }
+
+    /// The place of each point in its file, those that were left out counted.
+    #[must_use]
+    pub fn places(&self) -> Vec<u32> {
+        let mut left_out = self.left_out.iter().peekable();
+        let is_kept = |place: &u32| left_out.next_if_eq(&place).is_none();
+        (0..).filter(is_kept).take(self.points.len()).collect()
     }
 
     /// A place in the given coordinates as the core sees it: relative to the origin, rounded to the core's format.
@@ -115,10 +139,18 @@ impl PointSource {
     ///
     /// # Errors
     /// The file cannot be used.
-    pub fn points(&self) -> Result<Vec<DVec3>, SearchError> {
+    pub fn points(&self, invalid: InvalidPoints) -> Result<Vec<DVec3>, SearchError> {
+        Ok(self.points_with(invalid)?.0)
+    }
+
+    /// The points, and the places in the file of those that were left out.
+    fn points_with(&self, invalid: InvalidPoints) -> Result<(Vec<DVec3>, Vec<u32>), SearchError> {
         Ok(match self {
-            Self::File(path) => Model::load(path)?.points,
-            Self::Surface(count) => trefoil(*count),
+            Self::File(path) => {
+                let model = Model::load_with(path, invalid)?;
+                (model.points, model.dropped)
+            }
+            Self::Surface(count) => (trefoil(*count), Vec::new()),
         })
     }
 }
@@ -219,6 +251,17 @@ mod tests {
         assert!(message(&[[0.0; 3], [0.0, f32::NAN, 0.0]]).contains("vertex 1"));
         assert!(message(&[[f32::INFINITY, 0.0, 0.0]]).contains("vertex 0"));
         assert!(message(&[[f32::MAX; 3]]).contains("f24"), "what rounds to infinity is not finite");
+    }
+
+    #[test]
+    fn points_left_out_keep_the_places_of_the_others() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("scan.xyz");
+        std::fs::write(&path, "nan 0 0\n1 0 0\n2 0 0\n0 nan 0\n4 0 0\n").expect("the folder is writable");
+        let load = |invalid| PointSet::load_with(Format::F32, &PointSource::File(path.clone()), invalid);
+        let points = load(InvalidPoints::Drop).expect("three are numbers");
+        assert_eq!((points.left_out(), points.places()), (2, vec![1, 2, 4]));
+        assert!(load(InvalidPoints::Refuse).is_err_and(|error| error.to_string().contains("vertex 0")));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Columns of numbers as text (XYZ, CSV, ASC, PTS): a point a line, separated by commas, semicolons or blanks. A line of names, commented
 //! out or not, says what the columns are; without one their number and their values do.
 
-use super::{Model, colors};
+use super::{Model, colors, text};
 use glam::DVec3;
 
 /// Columns of a line that are no longer looked at.
@@ -38,7 +38,7 @@ struct Layout {
 
 /// Parses a whole file; an error names the line.
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = text(bytes)?;
     let mut names: Option<Vec<String>> = None;
     let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
     for (index, line) in text.lines().enumerate() {

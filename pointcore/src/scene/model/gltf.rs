@@ -1,8 +1,9 @@
 //! glTF and GLB: the vertices of all meshes where the scene's nodes put them, their faces, normals, and colors. Textures are not looked at.
 
 use super::{Model, fan, strip};
+use ::gltf::buffer::{self, Source};
 use ::gltf::mesh::{Mode, Reader};
-use ::gltf::{Gltf, Node, Primitive, buffer};
+use ::gltf::{Document, Gltf, Node, Primitive};
 use glam::{DMat3, DMat4, DVec3};
 use std::path::Path;
 
@@ -13,7 +14,9 @@ const DEPTH_LIMIT: usize = 256;
 pub(super) fn parse(bytes: &[u8], path: &Path) -> Result<Model, String> {
     let problem = |error: ::gltf::Error| format!("not a glTF file that can be read: {error}");
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(problem)?;
+    check_buffers(&document, path)?;
     let buffers = ::gltf::import_buffers(&document, path.parent(), blob).map_err(problem)?;
+    check_accessors(&document, &buffers)?;
     let mut gathered = Gathered { buffers, model: Model::default(), normals: Vec::new(), colors: Vec::new() };
     let roots: Vec<Node> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().collect(),
@@ -30,6 +33,39 @@ pub(super) fn parse(bytes: &[u8], path: &Path) -> Result<Model, String> {
     model.colors =
         colors.iter().any(Option::is_some).then(|| colors.into_iter().map(|color| color.unwrap_or(WHITE)).collect());
     Ok(model)
+}
+
+/// The reader does not say which of the files beside it is missing.
+fn check_buffers(document: &Document, path: &Path) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    for buffer in document.buffers() {
+        if let Source::Uri(uri) = buffer.source()
+            && !uri.contains(':')
+            && !folder.join(uri).is_file()
+        {
+            return Err(format!("its buffer {} is the file `{uri}`, which is not beside it", buffer.index()));
+        }
+    }
+    Ok(())
+}
+
+/// A list of numbers may promise any number of them; the reader takes those that are there.
+fn check_accessors(document: &Document, buffers: &[buffer::Data]) -> Result<(), String> {
+    for accessor in document.accessors() {
+        let Some(view) = accessor.view() else { continue };
+        let (first, last) = (accessor.offset(), accessor.count().saturating_sub(1));
+        let needed = last.saturating_mul(view.stride().unwrap_or(accessor.size())).saturating_add(accessor.size());
+        let given = buffers.get(view.buffer().index()).map_or(0, |data| data.0.len()).saturating_sub(view.offset());
+        let given = given.min(view.length());
+        if needed.saturating_add(first) > given {
+            let (index, count) = (accessor.index(), accessor.count());
+            let given = given.saturating_sub(first);
+            return Err(format!(
+                "not a glTF file that can be read: accessor {index} promises {count} values, which need {needed} bytes, in {given}"
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// What a vertex without a color has: that of a material which says nothing else.

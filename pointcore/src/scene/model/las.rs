@@ -10,12 +10,18 @@ const BATCH_BYTES: usize = 1 << 24;
 /// Where a file says how far its points are from its beginning, and in which format they are.
 const POINTS_OFFSET: usize = 96;
 const POINT_FORMAT: usize = 104;
+/// What the readers below say of a file that ends too soon.
+const OUT_OF_BYTES: &str = "failed to fill whole buffer";
 /// Of the format, whether points are compressed.
 const COMPRESSED: u8 = 0x80;
 
 /// Parses a whole file; an error says what is wrong with it.
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
-    let problem = |error: ::las::Error| format!("not a LAS or LAZ file that can be read: {error}");
+    let problem = |error: ::las::Error| {
+        let message = error.to_string();
+        let cause = if message.contains(OUT_OF_BYTES) { "it is truncated or its header wrong" } else { &message };
+        format!("not a LAS or LAZ file that can be read: {cause}")
+    };
     check_chunks(bytes)?;
     // The reader keeps its source for itself.
     let mut reader = Reader::new(Cursor::new(bytes.to_vec())).map_err(problem)?;

@@ -14,6 +14,8 @@ use super::error::SceneError;
 use super::normals;
 use glam::DVec3;
 use guard::guarded;
+pub use guard::is_guarded;
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Coordinates beyond this have squares that leave `f32` in later arithmetic; no scan comes near it.
@@ -32,8 +34,8 @@ pub struct Model {
     pub triangles: Vec<[u32; 3]>,
     /// Where the sensor stood, if the file says so.
     pub sensor: Option<DVec3>,
-    /// Points of the file that were left out since they are no numbers.
-    pub dropped: usize,
+    /// Places in the file of the points that were left out since they are no numbers, in their order.
+    pub dropped: Vec<u32>,
 }
 
 /// What becomes of points whose coordinates are no numbers, such as those that a scanner did not hit.
@@ -118,7 +120,7 @@ impl Model {
             InvalidPoints::Refuse => model,
             InvalidPoints::Drop => model.without_invalid(),
         };
-        model.checked().map_err(problem)
+        model.checked(path)
     }
 
     /// One unit normal a point, and what they were made from.
@@ -163,8 +165,8 @@ impl Model {
             Some(place)
         };
         let places: Vec<u32> = is_kept.iter().scan(0, place).collect();
-        self.dropped += is_kept.iter().filter(|is_kept| !**is_kept).count();
-        if self.dropped > 0 {
+        self.dropped = (0..).zip(&is_kept).filter(|(_, is_kept)| !**is_kept).map(|(place, _)| place).collect();
+        if !self.dropped.is_empty() {
             let is_whole = |triangle: &[u32; 3]| {
                 // A face at a vertex that there is none of is an error, which is found later.
                 triangle.iter().all(|&index| is_kept.get(index as usize).copied().unwrap_or(true))
@@ -184,20 +186,21 @@ impl Model {
         self
     }
 
-    fn checked(self) -> Result<Self, String> {
+    fn checked(self, path: &Path) -> Result<Self, SceneError> {
+        if let Some(index) = self.points.iter().position(|point| !is_usable(*point)) {
+            let point = self.points[index].to_array();
+            return Err(SceneError::Point { path: path.to_owned(), index, point, remedy: "" });
+        }
+        self.consistent().map_err(|problem| SceneError::model(path, problem))
+    }
+
+    fn consistent(self) -> Result<Self, String> {
         if self.points.is_empty() {
-            let dropped = match self.dropped {
+            let dropped = match self.dropped.len() {
                 0 => String::new(),
                 dropped => format!(" besides {dropped} that are no numbers"),
             };
             return Err(format!("holds no vertex{dropped}: a model needs at least one"));
-        }
-        if let Some(index) = self.points.iter().position(|point| !is_usable(*point)) {
-            let point = self.points[index].to_array();
-            return Err(format!(
-                "vertex {index} lies at {point:?}: coordinates must be finite and below {COORDINATE_LIMIT:e}; `drop_invalid \
-                 = true` leaves such points out"
-            ));
         }
         if let Some(index) = self.normals.iter().flatten().position(|normal| !is_usable(*normal)) {
             return Err(format!("the normal of vertex {index} is not finite"));
@@ -212,8 +215,17 @@ impl Model {
     }
 }
 
+/// The text of a file. Comments and names may be in any encoding of single bytes; what a model needs is ASCII.
+fn text(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
+    // UTF-16 has them in every other place, and binary files somewhere.
+    if bytes.contains(&0) {
+        return Err("is no text, or text in UTF-16: expected UTF-8 or ASCII".to_owned());
+    }
+    Ok(String::from_utf8_lossy(bytes))
+}
+
 /// Endings of models' names, as a sentence has them.
-fn endings() -> String {
+pub(super) fn endings() -> String {
     let all: Vec<_> =
         FORMATS.iter().flat_map(|(extensions, ..)| *extensions).map(|ending| format!(".{ending}")).collect();
     let (last, others) = all.split_last().expect("there are formats");

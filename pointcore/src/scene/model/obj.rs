@@ -2,7 +2,7 @@
 //!
 //! A reader of our own because readers of meshes drop vertices that no face refers to, and a point cloud has no faces.
 
-use super::{Model, colors, fan};
+use super::{Model, colors, fan, text};
 use glam::DVec3;
 
 /// A corner of a face: its vertex and, if given, its normal.
@@ -13,8 +13,7 @@ struct Corner {
 
 /// Parses a whole file; an error names the line.
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
-    // Comments and names may be in any encoding; what a model needs is ASCII.
-    let text = String::from_utf8_lossy(bytes);
+    let text = text(bytes)?;
     let (mut model, mut normals, mut colors) = (Model::default(), Vec::new(), Vec::new());
     let mut polygons = Vec::new();
     for (index, line) in text.lines().enumerate() {

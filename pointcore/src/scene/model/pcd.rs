@@ -1,6 +1,7 @@
 //! PCD, the format of the Point Cloud Library: text, binary, and compressed.
 
 use super::{Model, colors};
+use crate::wording::plain;
 use glam::DVec3;
 use pcd_rs::{DataKind, DynReader, Field, PcdMeta, ValueKind};
 use std::io::Cursor;
@@ -12,7 +13,7 @@ const SIZES_BYTES: u64 = 8;
 
 /// Parses a whole file; an error says what is wrong with it.
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
-    let problem = |error: pcd_rs::Error| format!("not a PCD file that can be read: {error}");
+    let problem = |error: pcd_rs::Error| format!("not a PCD file that can be read: {}", plain(&error));
     let mut header = Cursor::new(bytes);
     let meta = PcdMeta::from_reader(&mut header).map_err(problem)?;
     check_size(&meta, &bytes[(header.position() as usize).min(bytes.len())..])?;
@@ -53,7 +54,7 @@ fn check_size(meta: &PcdMeta, data: &[u8]) -> Result<(), String> {
     let total = points.saturating_mul(record);
     let fits = match meta.data {
         // A digit and a separator each; the last line may lack its end.
-        DataKind::Ascii => points.saturating_mul(numbers.saturating_mul(2)) <= given + 1,
+        DataKind::Ascii => points.saturating_mul(numbers.saturating_mul(2)) <= given + 1 && points <= lines(data),
         DataKind::Binary => total <= given,
         DataKind::BinaryCompressed => match data.first_chunk::<8>() {
             Some(&[a, b, c, d, e, f, g, h]) => {
@@ -66,6 +67,12 @@ fn check_size(meta: &PcdMeta, data: &[u8]) -> Result<(), String> {
     fits.then_some(()).ok_or_else(|| {
         format!("the header declares {points} points, which do not fit the {given} bytes that follow it: the file is truncated or its header wrong")
     })
+}
+
+/// Lines of text with something in them.
+fn lines(data: &[u8]) -> u64 {
+    let is_blank = |line: &[u8]| line.iter().all(u8::is_ascii_whitespace);
+    data.split(|byte| *byte == b'\n').filter(|line| !is_blank(line)).count() as u64
 }
 
 /// A field of one number.

@@ -87,13 +87,21 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
             return Err(format!("the header declares no property `{axis}` of the vertices"));
         }
     }
+    let is_list = |name: &&str| {
+        matches!(vertices.properties.get(*name).map(|property| &property.data_type), Some(PropertyType::List(..)))
+    };
+    if let Some(name) = SCALARS.iter().find(|name| is_list(name)) {
+        return Err(format!("the header declares the property `{name}` of the vertices as a list: expected a number"));
+    }
 
     let mut model = Model::default();
     let mut lines = Lines::after(bytes, reader.get_ref().position() as usize);
     for definition in header.elements.values() {
         let elements = match header.encoding {
             Encoding::Ascii => lines.elements(definition),
-            _ => parser.read_payload_for_element(&mut reader, definition, &header).map_err(|error| one_line(&error)),
+            _ => {
+                parser.read_payload_for_element(&mut reader, definition, &header).map_err(|error| binary_fault(&error))
+            }
         };
         let elements = elements.map_err(|problem| format!("element `{}`: {problem}", definition.name))?;
         match definition.name.as_str() {
@@ -184,6 +192,15 @@ fn one_line(error: &impl std::fmt::Display) -> String {
         Some(text) => format!("{summary}: {}", text.trim_matches('\'').trim()),
         None => summary,
     }
+}
+
+/// What is wrong with the binary part of a file, which has no lines.
+fn binary_fault(error: &impl std::fmt::Display) -> String {
+    let message = one_line(error);
+    if message.contains("Unexpected end of file") {
+        return "ends too soon: the file is truncated or its header wrong".to_owned();
+    }
+    message
 }
 
 /// The parser keeps the last of several declarations of one name, and would read what follows askew.

@@ -44,7 +44,7 @@ impl Model {
             normals: self.normals.is_some().then(Vec::new),
             colors: self.colors.is_some().then(Vec::new),
             sensor: self.sensor,
-            dropped: self.dropped,
+            dropped: self.dropped.clone(),
             ..Self::default()
         };
         let mut flat = Vec::with_capacity(count);

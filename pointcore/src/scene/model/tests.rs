@@ -143,7 +143,7 @@ fn ascii_ply_takes_numbers_as_programs_write_them() {
     std::fs::write(&path, ascii_ply(&text)).expect("the folder is writable");
     let model = Model::load_with(&path, InvalidPoints::Drop).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(model.points, [DVec3::new(0.5, -0.5, 1e5), DVec3::new(1.0, 2e-3, 0.0)]);
-    assert_eq!(model.dropped, 1);
+    assert_eq!(model.dropped.len(), 1);
 }
 
 #[test]
@@ -152,11 +152,11 @@ fn what_hangs_on_dropped_points_goes_with_them() {
     let model = obj::parse(text.as_bytes())
         .expect("the file is good")
         .without_invalid()
-        .checked()
+        .consistent()
         .expect("what is left is good");
-    assert_eq!((model.points.len(), model.dropped, &model.triangles[..]), (3, 1, &[[0, 1, 2]][..]));
+    assert_eq!((model.points.len(), model.dropped.len(), &model.triangles[..]), (3, 1, &[[0, 1, 2]][..]));
     assert_eq!(model.colors.map(|colors| colors[0]), Some([0.0, 1.0, 0.0]));
-    let nothing = obj::parse(b"v nan 0 0\n").expect("the file is good").without_invalid().checked();
+    let nothing = obj::parse(b"v nan 0 0\n").expect("the file is good").without_invalid().consistent();
     assert!(nothing.is_err_and(|problem| problem.contains("besides 1")));
 }
 
