@@ -61,7 +61,7 @@ pub(super) fn assemble(file: SceneFile, discs: &[Disc], notes: Vec<String>) -> R
     let placement = Placement::of(discs);
     let splats: Vec<Splat> = discs.iter().map(|disc| placement.splat(disc)).collect();
     let view = |pose: Pose| {
-        let depths = fit::depths(discs, &pose, [file.camera.near, file.camera.far]);
+        let depths = fit::depths(discs, &pose, [file.camera.near, file.camera.far])?;
         let camera = camera::derive(&pose, depths, &file.image, &placement)?;
         let light = light(&file.light, &camera);
         Ok(View { camera, light, epsilon_bias: blending_depth(&splats, &camera) })

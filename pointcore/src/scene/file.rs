@@ -1,11 +1,12 @@
 //! The scene file as it is written: TOML tables whose keys are all known.
 
 use super::error::SceneError;
-use super::model::{Model, NormalSource};
+use super::model::{self, Model, NormalSource};
 use super::settings::{self, apply};
 use crate::wording::plain;
 use pointcore_contract::{FragmentDepth, Sampling};
 use serde::Deserialize;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// A scene file.
@@ -290,11 +291,29 @@ fn read(path: &Path) -> Result<String, SceneError> {
     if Model::is_model(path) {
         return settings::model_scene(path);
     }
-    std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
+    std::fs::read_to_string(path).map_err(|source| match source.kind() {
+        ErrorKind::InvalidData => neither(path, "it is no text in UTF-8"),
+        _ => SceneError::Read { path: path.to_owned(), source },
+    })
 }
 
 fn syntax(path: &Path, error: &toml::de::Error) -> SceneError {
-    SceneError::Syntax { path: path.to_owned(), message: plain(error) }
+    let message = plain(error);
+    if is_toml(path) { SceneError::Syntax { path: path.to_owned(), message } } else { neither(path, &message) }
+}
+
+fn is_toml(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// A file that is no scene, and by its name no model either.
+fn neither(path: &Path, problem: &str) -> SceneError {
+    let message = if is_toml(path) {
+        problem.to_owned()
+    } else {
+        format!("is no scene: {problem}\nNor is it a model: a model's name must end in {}", model::endings())
+    };
+    SceneError::Syntax { path: path.to_owned(), message }
 }
 
 impl SceneFile {

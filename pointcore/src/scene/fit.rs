@@ -1,6 +1,6 @@
 //! A camera that sees the whole scene, from a side on which there is something to be seen.
 
-use super::camera::Pose;
+use super::camera::{Pose, Problem};
 use super::disc::{Disc, Sides};
 use super::file::ImageTable;
 use glam::{DMat3, DVec3};
@@ -85,10 +85,11 @@ fn axes(back: DVec3, up: DVec3) -> DMat3 {
     DMat3::from_cols(right, back.cross(right), back)
 }
 
-/// Distances of planes before and behind all discs before the eye; those given are kept.
-pub(super) fn depths(discs: &[Disc], pose: &Pose, given: [Option<f64>; 2]) -> [f64; 2] {
+/// Distances of planes before and behind all discs before the eye; those given are kept, and refused where nothing lies between them and the
+/// other one.
+pub(super) fn depths(discs: &[Disc], pose: &Pose, given: [Option<f64>; 2]) -> Result<[f64; 2], Problem> {
     if let [Some(near), Some(far)] = given {
-        return [near, far];
+        return Ok([near, far]);
     }
     let forward = (pose.target - pose.eye).normalize_or(DVec3::Z);
     let range = discs.iter().fold([f64::INFINITY, 0.0_f64], |[low, high], disc| {
@@ -99,5 +100,13 @@ pub(super) fn depths(discs: &[Disc], pose: &Pose, given: [Option<f64>; 2]) -> [f
     let farthest = if range[1] > 0.0 { range[1] } else { 1.0 };
     let far = given[1].unwrap_or(farthest + DEPTH_MARGIN * (farthest - range[0]).abs().min(farthest));
     let near = (range[0] - DEPTH_MARGIN * (farthest - range[0])).clamp(NEAR_SHARE * far, 0.99 * far);
-    [given[0].unwrap_or(near), far]
+    match given {
+        [Some(near), None] if near >= far => {
+            Err(("camera.near", format!("is {near}: expected less than {far}, behind which nothing lies")))
+        }
+        [None, Some(far)] if range[1] > 0.0 && far <= range[0] => {
+            Err(("camera.far", format!("is {far}: expected more than {}, before which nothing lies", range[0])))
+        }
+        [given, _] => Ok([given.unwrap_or(near), far]),
+    }
 }

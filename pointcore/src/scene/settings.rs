@@ -1,6 +1,7 @@
 //! What a scene file may be without: the scene of a model alone, and settings in the place of its values.
 
 use super::error::SceneError;
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// What a model without a scene is drawn in: a camera around it, a light over the shoulder, and its points as they are good for.
@@ -21,14 +22,18 @@ radius_limit = 4.0
 /// The scene of a model's file.
 pub(super) fn model_scene(path: &Path) -> Result<String, SceneError> {
     // The scene lies beside its model. What is not there is the model's fault, not the scene's.
-    std::fs::metadata(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+    let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
+    if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
+        return Err(unreadable(ErrorKind::IsADirectory.into()));
+    }
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(format!("{MODEL_SCENE}path = {}\n", toml::Value::String(name)))
 }
 
 /// Replaces or adds the value that a setting such as `object.0.path=scan.ply` names.
 pub(super) fn apply(root: &mut toml::Value, setting: &str) -> Result<(), String> {
-    let (keys, text) = setting.split_once('=').ok_or("expected `key=value`, e.g. `object.0.path=scan.ply`")?;
+    let pair = setting.split_once('=').filter(|(keys, _)| keys.split('.').all(|key| !key.is_empty()));
+    let (keys, text) = pair.ok_or("expected `key=value`, e.g. `object.0.path=scan.ply`")?;
     // What is not a TOML value is a string that the shell has stripped of its quotes.
     let parsed = toml::from_str::<toml::Table>(&format!("value = {text}")).ok().filter(|table| table.len() == 1);
     let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| text.into());
@@ -43,10 +48,12 @@ pub(super) fn apply(root: &mut toml::Value, setting: &str) -> Result<(), String>
                 item.ok_or_else(|| format!("`{key}` is not an index below {count}"))?
             }
             toml::Value::Table(table) => table.entry(key).or_insert_with(|| toml::Value::Table(toml::Table::new())),
-            _ => return Err(format!("`{key}` lies below a plain value")),
+            _ => return Err(format!("`{key}` lies below what is no table: leave it out")),
         };
     }
-    let toml::Value::Table(table) = place else { return Err(format!("`{last}` is not a key of a table")) };
+    let toml::Value::Table(table) = place else {
+        return Err(format!("`{parents}` is no table, and has no key `{last}`: leave it out"));
+    };
     table.insert(last.to_owned(), value);
     Ok(())
 }

@@ -8,11 +8,6 @@ use super::SearchError;
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
 
-/// Cycles of latency that make sense.
-const LATENCY_CYCLES: RangeInclusive<u64> = 1..=500;
-/// Bandwidths that make sense: from a serial flash to anything on a die.
-const BYTES_PER_CYCLE: RangeInclusive<f64> = 0.01..=65_536.0;
-
 /// How the memory answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemorySettings {
@@ -33,17 +28,22 @@ impl Default for MemorySettings {
 }
 
 impl MemorySettings {
+    /// Cycles of latency that make sense.
+    pub const LATENCY_CYCLES: RangeInclusive<u64> = 1..=500;
+    /// Bandwidths that make sense: from a serial flash to anything on a die.
+    pub const BYTES_PER_CYCLE: RangeInclusive<f64> = 0.01..=65_536.0;
+
     /// Checks every setting.
     ///
     /// # Errors
     /// The first one that no memory has.
     pub fn validate(&self) -> Result<(), SearchError> {
         let wrong = |setting, value, expected| Err(SearchError::Memory { setting, value, expected });
-        if !LATENCY_CYCLES.contains(&self.latency_cycles) {
+        if !Self::LATENCY_CYCLES.contains(&self.latency_cycles) {
             return wrong("latency", self.latency_cycles as f64, "1 to 500 cycles");
         }
         match self.bytes_per_cycle {
-            Some(bytes) if !BYTES_PER_CYCLE.contains(&bytes) => {
+            Some(bytes) if !Self::BYTES_PER_CYCLE.contains(&bytes) => {
                 return wrong("bandwidth", bytes, "0.01 to 65536 bytes a cycle");
             }
             _ => {}

@@ -7,10 +7,6 @@ use pointcore_contract::search::records::CacheSetup;
 
 /// Units in the last place by which coverage is understated, so that no rounding lets a query pass whose neighbors would differ.
 const GUARD_ULPS: f32 = 32.0;
-/// Tolerances that make sense.
-const EPSILON: std::ops::RangeInclusive<f32> = 0.0..=10.0;
-/// Extensions that make sense.
-const ALPHA: std::ops::RangeInclusive<f32> = 1.0..=10.0;
 
 /// What queries of one search have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,16 +33,21 @@ impl Default for Reuse {
 }
 
 impl Reuse {
+    /// Tolerances that make sense.
+    pub const EPSILON: std::ops::RangeInclusive<f32> = 0.0..=10.0;
+    /// Extensions that make sense.
+    pub const ALPHA: std::ops::RangeInclusive<f32> = 1.0..=10.0;
+
     /// Checks both factors.
     ///
     /// # Errors
     /// The first one without meaning.
     pub fn validate(&self) -> Result<(), SearchError> {
         let wrong = |setting, value: f32, expected| Err(SearchError::Reuse { setting, value, expected });
-        if !EPSILON.contains(&self.epsilon) {
+        if !Self::EPSILON.contains(&self.epsilon) {
             return wrong("epsilon", self.epsilon, "0 to 10");
         }
-        if !ALPHA.contains(&self.alpha) {
+        if !Self::ALPHA.contains(&self.alpha) {
             return wrong("alpha", self.alpha, "1 to 10");
         }
         Ok(())
