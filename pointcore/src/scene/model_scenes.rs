@@ -86,6 +86,13 @@ fn what_was_done_to_a_model_is_said() {
     assert!(notes("repeated.xyz", &"1 2 3\n".repeat(5)).contains("4 of 5 points are the same"));
     assert!(notes("line.xyz", "0 0 0\n1 0 0\n2 0 0\n").contains("3 of 3 points span no surface"));
     assert!(notes("stray.xyz", &(terrain([0.0; 3], 1.0) + "9 9 9\n")).contains("1 points lie 4 times farther apart"));
+    let corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    assert!(notes("corner.obj", corner).contains("`--set object.0.points=COUNT` says another number"));
+    let sphere = "[[object]]\nkind = \"sphere\"\npoints = 50\nouter_radius = 1\n";
+    let file_object = "[[object]]\nkind = \"file\"\npath = \"corner.obj\"\npoints = 90\n";
+    let scene = format!("camera = {{ fit = true }}\nimage = {{ width = 32, height = 32 }}\n{sphere}{file_object}");
+    let said = loaded(&file(&folder, "second.toml", &scene), &[]).notes.join("\n");
+    assert!(said.contains("drawn: `object.1.points` says another number"), "{said}");
     // Random directions around a center have no surface, and so no side.
     let mut random = fastrand::Rng::with_seed(1);
     let mut cloud = String::new();

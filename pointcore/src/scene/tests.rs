@@ -114,8 +114,8 @@ fn settings_replace_values() {
     for (setting, part) in [
         ("object.1.points=100", "index below 1"),
         ("points", "key=value"),
-        ("image.width.x=1", "is not a key of a table"),
-        ("object.0.kind.x.y=1", "below a plain value"),
+        ("image.width.x=1", "`image.width` is no table"),
+        ("object.0.kind.x.y=1", "below what is no table"),
         ("object.0.points=many", "a number of points or"),
         ("object.0.colour=red", "unknown field"),
         ("object.0.path=a b.ply", "belongs to `file`"),

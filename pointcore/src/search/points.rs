@@ -185,6 +185,9 @@ impl FromStr for PointSource {
 
     /// `surface:COUNT` or a path.
     fn from_str(text: &str) -> Result<Self, String> {
+        if text.is_empty() {
+            return Err(format!("expected a model file, or {}COUNT", Self::SURFACE));
+        }
         let Some(count) = text.strip_prefix(Self::SURFACE) else { return Ok(Self::File(text.into())) };
         match count.parse() {
             Ok(count) if (1..=Self::SURFACE_LIMIT).contains(&count) => Ok(Self::Surface(count)),

@@ -14,8 +14,8 @@ const DEPTH_LIMIT: usize = 256;
 pub(super) fn parse(bytes: &[u8], path: &Path) -> Result<Model, String> {
     let problem = |error: ::gltf::Error| format!("not a glTF file that can be read: {error}");
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(problem)?;
-    check_buffers(&document, path)?;
-    let buffers = ::gltf::import_buffers(&document, path.parent(), blob).map_err(problem)?;
+    let buffers = ::gltf::import_buffers(&document, path.parent(), blob);
+    let buffers = buffers.map_err(|error| missing_buffer(&document, path).unwrap_or_else(|| problem(error)))?;
     check_accessors(&document, &buffers)?;
     let mut gathered = Gathered { buffers, model: Model::default(), normals: Vec::new(), colors: Vec::new() };
     let roots: Vec<Node> = match document.default_scene().or_else(|| document.scenes().next()) {
@@ -35,18 +35,19 @@ pub(super) fn parse(bytes: &[u8], path: &Path) -> Result<Model, String> {
     Ok(model)
 }
 
-/// The reader does not say which of the files beside it is missing.
-fn check_buffers(document: &Document, path: &Path) -> Result<(), String> {
+/// The file beside the model that is not there; the reader does not say which.
+fn missing_buffer(document: &Document, path: &Path) -> Option<String> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    for buffer in document.buffers() {
-        if let Source::Uri(uri) = buffer.source()
-            && !uri.contains(':')
-            && !folder.join(uri).is_file()
-        {
-            return Err(format!("its buffer {} is the file `{uri}`, which is not beside it", buffer.index()));
+    let is_missing = |uri: &str| !uri.contains(':') && !folder.join(uri).is_file();
+    document.buffers().find_map(|buffer| match buffer.source() {
+        Source::Uri(uri) if is_missing(uri) => {
+            let index = buffer.index();
+            Some(format!(
+                "not a glTF file that can be read: its buffer {index} is the file `{uri}`, which is not beside it"
+            ))
         }
-    }
-    Ok(())
+        Source::Uri(_) | Source::Bin => None,
+    })
 }
 
 /// A list of numbers may promise any number of them; the reader takes those that are there.
