@@ -3,7 +3,7 @@
 mod commands;
 mod exit;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use commands::{
     Failure, accuracy, area, bench, diagram, generate, inspect, knn, plan, run, stability, translate, vectors,
 };
@@ -70,8 +70,26 @@ enum Command {
 /// The exit code of a run that was interrupted.
 const INTERRUPTED: i32 = 130;
 
+/// The arguments given. A negative number is a value, and a wrong one is told so by its option.
+fn arguments() -> Arguments {
+    let command = Arguments::command().mut_subcommands(|command| command.allow_negative_numbers(true));
+    let found = command.get_matches();
+    Arguments::from_arg_matches(&found).unwrap_or_else(|error| error.exit())
+}
+
+/// Panics of readers of model files become errors, and are not spoken of twice.
+fn silence_readers() {
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !pointcore::scene::is_guarded() {
+            hook(panic);
+        }
+    }));
+}
+
 fn main() -> ExitCode {
-    let Arguments { json, command } = Arguments::parse();
+    silence_readers();
+    let Arguments { json, command } = arguments();
     // Without the handler an interruption leaves folders of unfinished work, which the next run removes.
     _ = ctrlc::set_handler(|| {
         pointcore_tb::scratch::remove_all();
@@ -97,7 +115,7 @@ fn main() -> ExitCode {
         // Whoever read the result has had enough of it.
         Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
-            note!("pointcore: {failure}");
+            note!("error: {failure}");
             exit::code(&failure)
         }
     }

@@ -71,7 +71,7 @@ fn wrong_input_is_refused() {
         (&["scene.toml", "--base", "0x100000000"], ["0x100000000", "32 bits"]),
         (&["scene.toml", "--base", "0xfffff000"], ["reconstruction buffer", "lower base"]),
         (&["scene.toml", "--set", "overrides.stream_bits=48"], ["`stream_bits`", "32, 64"]),
-        (&["--points", "surface:40", "--k", "0"], ["--k 0", "1 to 64"]),
+        (&["--points", "surface:40", "--k", "0"], ["'0' for '--k", "1 to 64"]),
         (&["--points", "surface:40", "--epsilon", "0.1"], ["--epsilon", "timing"]),
         (&[&search[..], &["narrow.toml", "--order", "grid:2x2"]].concat(), ["160 queries", "number only 64"]),
         (&[&search[..], &["odd.toml"]].concat(), ["odd.toml", "`memory_bits` = 48"]),

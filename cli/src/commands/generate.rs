@@ -3,6 +3,7 @@
 use super::{Failure, Output, load, scene_name, write};
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
+use pointcore::scene::Model;
 use pointcore::wording::plain;
 use pointcore::{search, splat};
 use serde_json::json;
@@ -11,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// Arguments of `gen`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A scene file, or a hardware configuration such as configs/fpga.toml (the renderer) or configs/knn.toml (the search core).
+    /// A scene file, or a model as `run` draws it, or a hardware configuration such as configs/fpga.toml (the renderer) or configs/knn.toml (the search core).
     source: PathBuf,
     /// The folder to write into; made if missing.
     #[arg(short, long, value_name = "DIR")]
@@ -33,6 +34,9 @@ const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 /// Reads a configuration, from its own file or derived from a scene.
 fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
     let path = &arguments.source;
+    if Model::is_model(path) {
+        return Ok(Configuration::Splat(load(path, &arguments.settings)?.1.config));
+    }
     let text = configuration::read_text(path)?;
     let table: toml::Table = toml::from_str(&text).map_err(|error| configuration::wrong(path, plain(&error)))?;
     if SCENE_TABLES.iter().any(|key| table.contains_key(*key)) {

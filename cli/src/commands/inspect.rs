@@ -15,15 +15,18 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let inspection = pointcore::inspect::inspect(&arguments.model)?;
     let [low, high] = inspection.bounds.map(|corner| corner.to_array());
-    let [least, mean, greatest] = inspection.spacing;
+    let spacing = inspection.spacing;
+    let spacing = spacing.map(|[least, mean, greatest]| json!({ "least": least, "mean": mean, "greatest": greatest }));
     let document = json!({
         "path": inspection.path,
         "points": inspection.points,
+        "invalid": inspection.invalid,
+        "repeated": inspection.repeated,
         "triangles": inspection.triangles,
         "colors": inspection.colors,
         "bounds": { "low": low, "high": high },
         "normals": inspection.normals.to_string(),
-        "spacing": { "least": least, "mean": mean, "greatest": greatest },
+        "spacing": spacing,
     });
     output.print(&document, &inspection.to_string())
 }

@@ -16,6 +16,27 @@ pub struct Results {
     folder: PathBuf,
     scratch: Scratch,
     lock: File,
+    // Dropped last.
+    _made: MadeFolders,
+}
+
+/// Folders that were not there before, the innermost first; those that are still empty in the end go.
+struct MadeFolders(Vec<PathBuf>);
+
+impl MadeFolders {
+    fn create(folder: &Path) -> io::Result<Self> {
+        let missing = folder.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
+        let made = Self(missing);
+        fs::create_dir_all(folder)?;
+        Ok(made)
+    }
+}
+
+impl Drop for MadeFolders {
+    fn drop(&mut self) {
+        // What is not empty stays.
+        self.0.iter().for_each(|folder| _ = fs::remove_dir(folder));
+    }
 }
 
 impl Results {
@@ -24,7 +45,7 @@ impl Results {
         let failed = |source| Failure::Write { path: folder.to_owned(), source };
         // Tools run elsewhere.
         let folder = std::path::absolute(folder).map_err(failed)?;
-        fs::create_dir_all(&folder).map_err(failed)?;
+        let made = MadeFolders::create(&folder).map_err(failed)?;
         let unfinished = folder.join(UNFINISHED);
         if File::open(unfinished.join(LOCK)).is_ok_and(|lock| lock.try_lock().is_err()) {
             let problem = "another run is writing to it: wait for it, or choose another -o";
@@ -33,7 +54,7 @@ impl Results {
         let scratch = Scratch::create(unfinished).map_err(failed)?;
         let lock = File::create(scratch.path().join(LOCK)).map_err(failed)?;
         lock.lock().map_err(failed)?;
-        Ok(Self { folder, scratch, lock })
+        Ok(Self { folder, scratch, lock, _made: made })
     }
 
     /// Where to write until they are finished.
@@ -94,6 +115,9 @@ mod tests {
         write(broken_off.folder(), "a", "2");
         drop(broken_off);
         assert_eq!((read("a"), read("verilog/c")), (Some("1".into()), Some("1".into())));
+        let unfinished = Results::begin(&place.path().join("never/seen")).unwrap_or_else(|error| panic!("{error}"));
+        drop(unfinished);
+        assert!(!place.path().join("never").exists(), "nothing came of it");
         let last = begin();
         write(last.folder(), "b", "3");
         last.finish(&["a", "b"]).unwrap_or_else(|error| panic!("{error}"));

@@ -1,9 +1,9 @@
 //! What is searched, on which hardware: the arguments that `knn` and `vectors` share.
 
-use super::Failure;
-use super::choices;
+use super::{Failure, choices, numbers};
 use glam::DVec3;
 use pointcore::configuration;
+use pointcore::scene::InvalidPoints;
 use pointcore::search::{Order, PointSet, PointSource, Query, Reuse, SearchError, Splitting, config_for};
 use pointcore_contract::search::Config;
 use std::path::PathBuf;
@@ -42,10 +42,10 @@ pub struct Questions {
 #[derive(clap::Args)]
 pub struct SearchArguments {
     /// Neighbors of each query, 1 to 64.
-    #[arg(long, value_name = "COUNT", default_value_t = 10)]
+    #[arg(long, value_name = "COUNT", default_value_t = 10, value_parser = numbers::within(1_u32..=64, "1 to 64 neighbors"))]
     pub k: u32,
     /// Only neighbors nearer than this count.
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LENGTH", value_parser = numbers::within(f32::MIN_POSITIVE..=f32::MAX, numbers::POSITIVE))]
     pub radius: Option<f32>,
     /// Query points, the vertices of a model file in their order.
     #[arg(long, value_name = "FILE", conflicts_with = "order")]
@@ -63,16 +63,16 @@ pub struct SearchArguments {
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
     /// Neighborhoods that a coherent neighbor cache holds, up to 32; 0 leaves it out. By default 8 with --epsilon or --alpha, else 0.
-    #[arg(long, value_name = "COUNT", conflicts_with = "config")]
+    #[arg(long, value_name = "COUNT", conflicts_with = "config", value_parser = numbers::within(0_u32..=32, "0 to 32 neighborhoods"))]
     cache: Option<u32>,
     /// How much farther than the true ones neighbors from the neighbor cache may be, as a share; by default not at all.
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", value_parser = numbers::within(Reuse::EPSILON, "0 to 10"))]
     epsilon: Option<f32>,
     /// The factor by which balls are searched larger for the neighbor cache; by default 1.25.
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", value_parser = numbers::within(Reuse::ALPHA, "1 to 10"))]
     alpha: Option<f32>,
     /// Seed of everything random: shuffles, and in a simulation stalls, the memory's order and uninitialized values.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = numbers::whole())]
     pub seed: u64,
 }
 
@@ -80,15 +80,6 @@ impl SearchArguments {
     /// Checks what goes together.
     pub fn check(&self) -> Result<(), Failure> {
         let usage = |message| Err(Failure::Usage(message));
-        if !(1..=64).contains(&self.k) {
-            return usage(format!("--k {}: expected 1 to 64 neighbors", self.k));
-        }
-        match self.radius {
-            Some(radius) if !(radius > 0.0 && radius.is_finite()) => {
-                return usage(format!("--radius {radius}: expected a positive number"));
-            }
-            _ => {}
-        }
         if self.cache == Some(0) && self.wants_reuse() {
             return usage(
                 "--cache 0: --epsilon and --alpha go with a neighbor cache of 1 to 32 neighborhoods".to_owned(),
@@ -114,17 +105,17 @@ impl SearchArguments {
     }
 
     /// The hardware, and the points in its format.
-    pub fn hardware(&self, points: &PointSource) -> Result<(Config, PointSet), Failure> {
+    pub fn hardware(&self, points: &PointSource, invalid: InvalidPoints) -> Result<(Config, PointSet), Failure> {
         if let Some(path) = &self.config {
             let config = configuration::parse_search(path, &configuration::read_text(path)?)?;
             if config.neighbor_cache == 0 && self.wants_reuse() {
                 let message = "--epsilon and --alpha go with a neighbor cache: set `neighbor_cache` in";
                 return Err(Failure::Usage(format!("{message} {}", path.display())));
             }
-            let points = PointSet::load(config.geometry, points)?;
+            let points = PointSet::load_with(config.geometry, points, invalid)?;
             return Ok((config, points));
         }
-        let points = PointSet::load(Config::default().geometry, points)?;
+        let points = PointSet::load_with(Config::default().geometry, points, invalid)?;
         // The neighbor cache needs one neighbor more to tell how far a neighborhood reaches.
         let cache = self.cache();
         let searched = if cache > 0 && self.radius.is_none() { self.k + 1 } else { self.k };
@@ -135,10 +126,10 @@ impl SearchArguments {
     }
 
     /// Queries that the hardware can answer.
-    pub fn questions(&self, config: &Config, points: &PointSet) -> Result<Questions, Failure> {
+    pub fn questions(&self, config: &Config, points: &PointSet, invalid: InvalidPoints) -> Result<Questions, Failure> {
         let Limit(limit) = self.limit;
         let (mut places, source) = match &self.queries {
-            Some(path) => (PointSource::File(path.clone()).points()?, path.display().to_string()),
+            Some(path) => (PointSource::File(path.clone()).points(invalid)?, path.display().to_string()),
             None => (self.order.places(points, limit, self.seed), format!("{} order", self.order)),
         };
         places.truncate(limit.unwrap_or(usize::MAX));

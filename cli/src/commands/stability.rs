@@ -1,6 +1,6 @@
 //! `pointcore stability`: hard cases through the arithmetic of the renderer, beside an exact truth and other methods.
 
-use super::{Failure, Output, merge, progress, write};
+use super::{Failure, Output, existing, merge, numbers, progress, write};
 use pointcore_lab::stability::campaign::{self, Settings};
 use pointcore_lab::stability::figures::{FORMATS, document, figures};
 use pointcore_lab::stability::lockstep::FrameCheck;
@@ -12,16 +12,16 @@ use std::time::Duration;
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Cases of each number format.
-    #[arg(long, default_value_t = 1_000_000)]
+    #[arg(long, default_value_t = 1_000_000, value_parser = numbers::within(1_u64.., "at least 1"))]
     cases: u64,
     /// Splats to send through the generated hardware, in lockstep with its model, besides.
-    #[arg(long, value_name = "SPLATS", default_value_t = 0)]
+    #[arg(long, value_name = "SPLATS", default_value_t = 0, value_parser = numbers::whole())]
     hardware: u64,
     /// Stop after so many minutes, shared by the formats, and report on what was done.
-    #[arg(long)]
+    #[arg(long, value_parser = numbers::positive())]
     minutes: Option<f64>,
     /// Seed of the cases.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = numbers::whole())]
     seed: u64,
     /// The folder for tables, charts and JSON.
     #[arg(short, long, value_name = "DIR", default_value = "out/stability")]
@@ -33,9 +33,7 @@ pub struct Arguments {
 
 /// Runs the cases and writes what they show.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    if arguments.cases == 0 {
-        return Err(Failure::Usage("--cases 0: expected at least 1".to_owned()));
-    }
+    existing(&arguments.merge)?;
     let budget = arguments.minutes.map(|minutes| 60.0 * minutes / FORMATS.len() as f64);
     let budget = budget
         .map(Duration::try_from_secs_f64)

@@ -3,6 +3,7 @@
 use super::search::SearchArguments;
 use super::{Failure, Output, load, write_bytes};
 use pointcore::configuration::Configuration;
+use pointcore::scene::InvalidPoints;
 use pointcore::search::{PointSource, Rounding, Tree};
 use pointcore::splat::EncodedFrame;
 use pointcore::vectors::{self, Vectors};
@@ -57,8 +58,8 @@ impl Arguments {
                 "--epsilon: how near a cached answer comes depends on what the memory's timing leaves in the cache";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let (config, points) = search.hardware(source)?;
-        let questions = search.questions(&config, &points)?;
+        let (config, points) = search.hardware(source, InvalidPoints::Refuse)?;
+        let questions = search.questions(&config, &points, InvalidPoints::Refuse)?;
         let rounding = Rounding::of(&points, search.k).check()?;
         let tree = Tree::build(&config, &points, search.tree)?;
         let vectors = vectors::search(&config, tree, &questions.queries, reuse, self.base)?;

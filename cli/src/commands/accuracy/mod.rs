@@ -2,7 +2,7 @@
 
 mod neighbors;
 
-use super::{Failure, Output, choices, merge, scene_name, write};
+use super::{Failure, Output, choices, existing, merge, numbers, scene_name, write};
 use pointcore::area::estimate::Estimator;
 use pointcore::search::PointSource;
 use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
@@ -34,17 +34,17 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE|surface:COUNT", conflicts_with_all = ["scene", "at_least", "knobs", "settings"])]
     neighbors: Option<PointSource>,
     /// Neighbors of a query, 1 to 63; with --neighbors.
-    #[arg(long, value_name = "COUNT", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=63), requires = "neighbors")]
+    #[arg(long, value_name = "COUNT", default_value_t = 30, value_parser = numbers::within(1_u32..=63, "1 to 63 neighbors"), requires = "neighbors")]
     k: u32,
     /// Queries, eight by eight around a point; with --neighbors.
-    #[arg(long, value_name = "COUNT", default_value_t = 32_768, value_parser = clap::value_parser!(u32).range(1..), requires = "neighbors")]
+    #[arg(long, value_name = "COUNT", default_value_t = 32_768, value_parser = numbers::within(1_u32.., "1 query at least"), requires = "neighbors")]
     queries: u32,
     /// Print the cheapest configuration with at least so many decibels, as a scene file that `pointcore run` takes; besides the sweep, looks
     /// through all combinations of the knobs' values for a cheaper one.
     #[arg(long, value_name = "DECIBELS")]
     at_least: Option<Decibels>,
     /// Combinations that --at-least renders at most while it looks for a cheaper one; 0 for the sweep alone.
-    #[arg(long, value_name = "COUNT", default_value_t = 32, requires = "at_least")]
+    #[arg(long, value_name = "COUNT", default_value_t = 32, value_parser = numbers::within::<u16>(.., numbers::WHOLE), requires = "at_least")]
     tries: u16,
     /// Which error --at-least is about.
     #[arg(long, value_parser = choices::errors(), default_value = "truth")]
@@ -60,7 +60,7 @@ pub struct Arguments {
     #[arg(long)]
     lockstep: bool,
     /// Points measured at a time.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, default_value_t = 1, value_parser = numbers::within(1_u16..=256, "1 to 256 at a time"))]
     jobs: u16,
     /// Measure only every N-th point, from the I-th, and write nothing but these; the same command without it puts all together.
     #[arg(long, value_name = "I/N", conflicts_with_all = ["at_least", "output"])]
@@ -173,7 +173,10 @@ fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured
         }
     }
     let last = failures.pop();
-    failures.iter().for_each(|(name, error)| note!("{name}: {error}"));
+    // What keeps all points from being measured is said once.
+    let said = last.as_ref().map(|(_, error): &(_, LabError)| error.to_string());
+    let others = failures.iter().filter(|(_, error)| Some(error.to_string()) != said);
+    others.for_each(|(name, error)| note!("{name}: {error}"));
     last.map_or(Ok(measured), |(_, error)| Err(error.into()))
 }
 
@@ -307,8 +310,10 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     if let Some(shard) = arguments.shard {
         return report(measure(&sweep, &shard.of(planned), arguments.jobs)?.len(), &folder, output);
     }
-    let measured = measure(&sweep, &planned, arguments.jobs)?;
+    // Files that are none are found before anything is measured.
+    existing(&arguments.merge)?;
     let estimator = estimator(&arguments.record, &Cache::new(folder))?;
+    let measured = measure(&sweep, &planned, arguments.jobs)?;
     let rated = rate(measured, &estimator);
     let (rated, searched) = match arguments.at_least {
         Some(at_least) => look_further(&sweep, &knobs, rated, &estimator, arguments.goal(at_least))?,

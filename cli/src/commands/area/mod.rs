@@ -3,7 +3,7 @@
 mod progress;
 mod record;
 
-use super::{Failure, Output, choices, merge, scene_name};
+use super::{Failure, Output, choices, merge, numbers, scene_name};
 use pointcore::configuration::{parse, read_text};
 use pointcore_lab::Figures;
 use pointcore_lab::note;
@@ -28,10 +28,10 @@ pub struct Arguments {
     #[arg(long, value_parser = choices::targets(), default_value = "ecp5")]
     target: Target,
     /// Runs of place and route for each unit, with seeds from 1; the median counts.
-    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=99))]
+    #[arg(long, default_value_t = 5, value_parser = numbers::within(1_u32..=99, "1 to 99 seeds"))]
     seeds: u32,
     /// Tools that run at a time.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, default_value_t = 1, value_parser = numbers::within(1_u16..=256, "1 to 256 at a time"))]
     jobs: u16,
     /// Print the table in Markdown.
     #[arg(long)]
@@ -189,7 +189,7 @@ fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
     let last = failures.pop();
     for failure in failures {
-        note!("pointcore: {failure}");
+        note!("error: {failure}");
     }
     last.map_or(Ok(()), Err)
 }

@@ -2,7 +2,7 @@
 
 use crate::commands::search::Questions;
 use crate::commands::{Failure, Output, write};
-use pointcore::search::SearchOutcome;
+use pointcore::search::{Neighbor, PointSet, SearchOutcome};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -15,6 +15,7 @@ fn shortest(number: f64) -> String {
 /// Writes the queries, and the neighbors of each.
 pub fn write_neighbors(
     questions: &Questions,
+    points: &PointSet,
     outcome: &SearchOutcome,
     output: Output,
     folder: &Path,
@@ -25,12 +26,15 @@ pub fn write_neighbors(
         _ = writeln!(places, "{query},{x},{y},{z}");
     }
     write(&folder.join("queries.csv"), &places)?;
+    let in_file = points.places();
+    let named = |neighbor: &Neighbor| Neighbor { point: in_file[neighbor.point as usize], ..*neighbor };
+    let answers: Vec<Vec<_>> = outcome.neighbors.iter().map(|found| found.iter().map(named).collect()).collect();
     if output == Output::Json {
-        let text = serde_json::to_string(&outcome.neighbors).expect("neighbors are lists");
+        let text = serde_json::to_string(&answers).expect("neighbors are lists");
         return write(&folder.join("neighbors.json"), &text);
     }
     let mut text = "query,rank,point,distance2\n".to_owned();
-    for (query, neighbors) in outcome.neighbors.iter().enumerate() {
+    for (query, neighbors) in answers.iter().enumerate() {
         for (rank, neighbor) in neighbors.iter().enumerate() {
             _ = writeln!(text, "{query},{rank},{},{:e}", neighbor.point, neighbor.distance2);
         }

@@ -5,19 +5,20 @@ mod files;
 use super::progress::{with_progress, with_spinner};
 use super::results::Results;
 use super::search::{Questions, SearchArguments};
-use super::{Failure, Output, estimator, generate, waveform, write};
+use super::simulation::{Engine, Simulated, SimulationArguments};
+use super::{Failure, Output, estimator, generate, numbers, waveform, write};
 use pointcore::area::device::Device;
 use pointcore::area::proxy::Proxy;
 use pointcore::area::recorded::Clock;
 use pointcore::configuration::Configuration;
 use pointcore::package::Package;
+use pointcore::scene::InvalidPoints;
 use pointcore::search::{
-    Checked, HardwareSize, MemorySettings, PointSet, PointSource, Rounding, SearchCore, SearchEngine, SearchOutcome,
+    Checked, HardwareSize, MemorySettings, PointSet, PointSource, Rounding, SearchCore, SearchError, SearchOutcome,
     SearchReport, SearchRun, Session, Tree, TruthComparison, check, compare_with_truth, page,
 };
-use pointcore::waveform::{Waveform, Window, search_view};
+use pointcore::waveform::search_view;
 use pointcore_contract::search::Config;
-use pointcore_tb::lockstep::Stall;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -43,44 +44,37 @@ pub struct Arguments {
     /// The points: a model file (PLY, OBJ, glTF, PCD, LAS, LAZ, XYZ, CSV), or `surface:COUNT` for a procedural surface.
     #[arg(long, value_name = "FILE|surface:COUNT")]
     points: PointSource,
+    /// Leave out points of files that are no numbers; neighbors keep the numbers that their points have in the file.
+    #[arg(long)]
+    drop_invalid: bool,
     #[command(flatten)]
     search: SearchArguments,
     /// Ask N parts of the queries in turn, so that near ones are not under way together.
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = numbers::within(1_usize.., "1 part at least"))]
     interleave: usize,
     /// What answers the queries.
     #[arg(long, value_enum, default_value = "rtl")]
     model: KnnEngine,
-    /// Do not compare the Verilog with the golden model: faster, but trusts it.
-    #[arg(long)]
-    no_lockstep: bool,
+    #[command(flatten)]
+    simulation: SimulationArguments,
     /// Cycles from a request to the memory to its answer, 1 to 500.
-    #[arg(long, value_name = "CYCLES", default_value_t = MemorySettings::default().latency_cycles)]
+    #[arg(long, value_name = "CYCLES", default_value_t = MemorySettings::default().latency_cycles, value_parser = numbers::within(MemorySettings::LATENCY_CYCLES, "1 to 500 cycles"))]
     latency: u64,
     /// Bytes that the memory moves in a cycle, may be fractional; by default a beat of points.
-    #[arg(long, value_name = "BYTES")]
+    #[arg(long, value_name = "BYTES", value_parser = numbers::within(MemorySettings::BYTES_PER_CYCLE, "0.01 to 65536 bytes a cycle"))]
     bandwidth: Option<f64>,
     /// Bytes that the memory can only move together.
-    #[arg(long, value_name = "BYTES", default_value_t = MemorySettings::default().burst_bytes)]
+    #[arg(long, value_name = "BYTES", default_value_t = MemorySettings::default().burst_bytes, value_parser = numbers::within(1_u32.., "1 byte at least"))]
     burst: u32,
     /// Let answers of the memory overtake each other.
     #[arg(long)]
     out_of_order: bool,
-    /// Hold every stream back in this share of the cycles, at random.
-    #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
-    stalls: f64,
     /// Compare every distance with a search through all points, bit for bit, and count the neighbors that are others than those of the
     /// file's points in f64.
     #[arg(long)]
     check: bool,
-    /// Write a waveform of the whole run (search.fst, and search.gtkw for GTKWave); implies --no-lockstep, slow and large.
-    #[arg(long)]
-    trace: bool,
-    /// Write a waveform of these cycles of the run alone, A up to, but not, B; implies --trace.
-    #[arg(long, value_name = "A..B")]
-    trace_window: Option<Window>,
     /// The clock for which queries per second are stated, in MHz; by default the recorded one of the configuration, else 100.
-    #[arg(long, value_name = "MHZ")]
+    #[arg(long, value_name = "MHZ", value_parser = numbers::positive())]
     clock_mhz: Option<f64>,
     /// Say whether the core fits this device, such as LFE5U-45F or XC7A100T.
     #[arg(long, value_name = "NAME")]
@@ -95,20 +89,8 @@ pub struct Arguments {
 
 impl Arguments {
     fn check(&self) -> Result<(), Failure> {
-        let usage = |message| Err(Failure::Usage(message));
         self.search.check()?;
-        if !(0.0..1.0).contains(&self.stalls) {
-            return usage(format!("--stalls {}: expected a share from 0 up to, but not, 1", self.stalls));
-        }
-        if let Some(mhz) = self.clock_mhz.filter(|mhz| !(*mhz > 0.0 && mhz.is_finite())) {
-            return usage(format!("--clock-mhz {mhz}: expected a positive number"));
-        }
-        if self.interleave == 0 {
-            return usage("--interleave 0: expected 1 part at least".to_owned());
-        }
-        if self.model == KnnEngine::Golden && (self.no_lockstep || self.is_traced()) {
-            return usage("--no-lockstep, --trace and --trace-window go with --model rtl".to_owned());
-        }
+        self.simulation.check(self.simulated())?;
         Ok(self.memory().validate()?)
     }
 
@@ -121,35 +103,56 @@ impl Arguments {
         }
     }
 
-    const fn is_traced(&self) -> bool {
-        self.trace || self.trace_window.is_some()
+    const fn simulated(&self) -> Simulated {
+        match self.model {
+            KnnEngine::Rtl => Simulated::Verilog,
+            KnnEngine::Golden => Simulated::Model,
+        }
     }
 
-    const fn engine(&self) -> (SearchEngine, &'static str, Option<u64>) {
-        match (self.model, self.no_lockstep || self.is_traced()) {
-            (KnnEngine::Golden, _) => (SearchEngine::Golden, "golden", None),
-            (KnnEngine::Rtl, true) => (SearchEngine::Hardware, "rtl", None),
-            // A difference would end the run.
-            (KnnEngine::Rtl, false) => (SearchEngine::Lockstep, "rtl in lockstep with golden", Some(0)),
+    const fn engine(&self) -> Engine {
+        self.simulation.engine(self.simulated())
+    }
+}
+
+/// The error, with what leaves out points that are no numbers.
+fn remedied(failure: Failure) -> Failure {
+    match failure {
+        Failure::Search(SearchError::Model(error)) => {
+            SearchError::Model(error.remedied("; --drop-invalid leaves such points out")).into()
         }
+        other => other,
     }
 }
 
 impl Arguments {
+    /// The hardware, the points, their tree, and what is asked of them.
+    fn load(&self) -> Result<(Config, PointSet, Tree, Questions), Failure> {
+        let invalid = if self.drop_invalid { InvalidPoints::Drop } else { InvalidPoints::Refuse };
+        let (config, points) = self.search.hardware(&self.points, invalid)?;
+        let tree = Tree::build(&config, &points, self.search.tree)?;
+        let questions = self.search.questions(&config, &points, invalid)?;
+        Ok((config, points, tree, questions))
+    }
+
+    /// What is searched, in words.
+    fn description(&self, points: &PointSet) -> String {
+        match points.left_out() {
+            0 => self.points.to_string(),
+            count => format!("{} without {count} points that are no numbers", self.points),
+        }
+    }
+
     /// Opens the core with its tree, on what was chosen.
     fn open(&self, config: &Config, tree: Tree, results: &Results) -> Result<Session, Failure> {
-        let (engine, ..) = self.engine();
-        let waveform = self
-            .is_traced()
-            .then(|| Waveform { path: results.folder().join(WAVEFORM), window: self.trace_window.clone() });
+        let waveform = self.simulation.waveform(results.folder().join(WAVEFORM));
         let session =
             with_spinner("generating, verilating and compiling (cached for the next time)", || match waveform {
                 Some(waveform) => Session::open_traced(config.clone(), tree, self.memory(), waveform),
-                None => Session::open(config.clone(), tree, self.memory(), engine),
+                None => Session::open(config.clone(), tree, self.memory(), self.engine().into()),
             })?;
-        let stall = if self.stalls > 0.0 { Stall::Random(self.stalls) } else { Stall::Never };
         let command = std::env::args().skip(1).fold("pointcore".to_owned(), |command, word| command + " " + &word);
-        let session = session.randomized(stall, self.search.seed).reproduced_by(command);
+        let session = session.randomized(self.simulation.stall(), self.search.seed).reproduced_by(command);
         Ok(session.reusing(self.search.reuse())?.interleaved(self.interleave))
     }
 
@@ -184,31 +187,29 @@ impl Arguments {
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     arguments.check()?;
     let search = &arguments.search;
-    let (config, points) = search.hardware(&arguments.points)?;
-    let tree = Tree::build(&config, &points, search.tree)?;
-    let questions = search.questions(&config, &points)?;
+    let (config, points, tree, questions) = arguments.load().map_err(remedied)?;
     let rounding = Rounding::of(&points, search.k).check()?;
     let results = Results::begin(&arguments.output)?;
     let folder = results.folder();
 
-    let (_, engine_name, mismatches) = arguments.engine();
+    let engine = arguments.engine();
     let (statistics, beat_bytes) = (tree.statistics(), tree.beat_bytes());
     let session = arguments.open(&config, tree, &results)?;
     let name = arguments.output.file_name().map_or("knn".into(), std::ffi::OsStr::to_string_lossy);
     let package = Package::search(&name, session.core(), &config)?;
     generate::write_package(&package, &folder.join("verilog"))?;
 
-    let outcome = with_progress(engine_name, |progress| session.search_with(&questions.queries, progress))?;
-    if arguments.is_traced() {
-        waveform::finish(arguments.trace_window.as_ref(), outcome.simulated_cycles)?;
+    let outcome = with_progress(engine.name(), |progress| session.search_with(&questions.queries, progress))?;
+    if arguments.simulation.is_traced() {
+        waveform::finish(arguments.simulation.trace_window.as_ref(), outcome.simulated_cycles)?;
         waveform::write_view(&search_view(&config), WAVEFORM, folder, &arguments.output)?;
     }
     let file_format = if arguments.csv { Output::Text } else { output };
-    files::write_neighbors(&questions, &outcome, file_format, folder)?;
+    files::write_neighbors(&questions, &points, &outcome, file_format, folder)?;
     let (checked, truth) = arguments.compare(&points, &questions, &outcome)?;
     let report = SearchReport::new(&SearchRun {
-        points: &arguments.points.to_string(),
-        engine: engine_name,
+        points: &arguments.description(&points),
+        engine: engine.name(),
         order: &questions.source,
         config: &config,
         tree: statistics,
@@ -218,7 +219,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         k: search.k,
         radius: search.radius,
         outcome: &outcome,
-        mismatches,
+        mismatches: engine.mismatches(),
         checked,
         rounding: Some(rounding),
         truth,

@@ -4,15 +4,15 @@ mod results;
 
 use super::progress::{with_progress, with_spinner};
 use super::results::Results;
-use super::{Failure, Output, generate, load_on, scene_name, waveform};
+use super::simulation::{Engine, Simulated, SimulationArguments};
+use super::{Failure, Output, generate, load_on, numbers, scene_name, waveform};
 use pointcore::package::Package;
 use pointcore::plan::Plan;
-use pointcore::scene::Scene;
+use pointcore::scene::{FRAMES_LIMIT, Scene};
 use pointcore::shading;
-use pointcore::splat::{Fates, RenderEngine, RenderSession};
-use pointcore::waveform::{Waveform, Window, splat_view};
+use pointcore::splat::{Fates, RenderSession};
+use pointcore::waveform::splat_view;
 use pointcore_golden::reference::{self, Mapping};
-use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
 use results::{FrameResults, Summary};
 use serde_json::json;
@@ -47,17 +47,10 @@ pub struct Arguments {
     /// What renders the scene.
     #[arg(long, value_enum, default_value = "rtl")]
     model: RunEngine,
-    /// Do not compare the Verilog with the golden model: faster, but trusts it.
-    #[arg(long)]
-    no_lockstep: bool,
-    /// Write a waveform of the whole run (frame.fst, and frame.gtkw for GTKWave); implies --no-lockstep, slow and large.
-    #[arg(long)]
-    trace: bool,
-    /// Write a waveform of these cycles of the run alone, A up to, but not, B; implies --trace.
-    #[arg(long, value_name = "A..B")]
-    trace_window: Option<Window>,
+    #[command(flatten)]
+    simulation: SimulationArguments,
     /// Render a full turn around the scene in N frames, each on the hardware: frames/ and animation.png; as `--set camera.turntable=N`.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = numbers::within(1..=FRAMES_LIMIT, "1 to 2000 frames"))]
     turntable: Option<usize>,
     /// Write the fragments' distance from the eye, too, in the scene's units: depth.pfm, infinite where there is none.
     #[arg(long)]
@@ -68,11 +61,8 @@ pub struct Arguments {
     /// The folder for the results; by default out/<scene>.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Hold every stream back in this share of the cycles, at random.
-    #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
-    stalls: f64,
     /// Seed of the stalls and of the hardware's uninitialized values.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = numbers::whole())]
     seed: u64,
     /// Replaces a value of the scene file, or of the one that a model is drawn in, e.g. `--set object.0.path=/scans/face.ply`,
     /// `--set camera.from=[1,0,0]`; paths are relative to the scene file.
@@ -82,21 +72,24 @@ pub struct Arguments {
 
 impl Arguments {
     fn check(&self) -> Result<(), Failure> {
-        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
-        if !(0.0..1.0).contains(&self.stalls) {
-            return Err(Failure::Usage(format!("--stalls {}: expected a share from 0 up to, but not, 1", self.stalls)));
-        }
-        if self.model != RunEngine::Rtl && (self.is_traced() || self.no_lockstep) {
-            return usage("--trace, --trace-window and --no-lockstep go with --model rtl");
-        }
-        if self.model == RunEngine::Reference && (self.depth || self.normals || self.turntable.is_some()) {
-            return usage("--depth, --normals and --turntable go with --model rtl or golden");
+        self.simulation.check(self.simulated())?;
+        let needs_fragments = self.depth || self.normals || self.turntable.is_some() || self.simulation.is_stalled();
+        if self.model == RunEngine::Reference && needs_fragments {
+            let message = "--depth, --normals, --turntable and --stalls go with --model rtl or golden";
+            return Err(Failure::Usage(message.to_owned()));
         }
         Ok(())
     }
 
-    const fn is_traced(&self) -> bool {
-        self.trace || self.trace_window.is_some()
+    const fn simulated(&self) -> Simulated {
+        match self.model {
+            RunEngine::Rtl => Simulated::Verilog,
+            RunEngine::Golden | RunEngine::Reference => Simulated::Model,
+        }
+    }
+
+    const fn engine(&self) -> Engine {
+        self.simulation.engine(self.simulated())
     }
 
     fn settings(&self) -> Vec<String> {
@@ -104,25 +97,15 @@ impl Arguments {
         self.settings.iter().cloned().chain(turntable).collect()
     }
 
-    /// The engine, its name, and how many outputs differed where they are compared: a difference ends the run.
-    const fn engine(&self) -> (RenderEngine, &'static str, Option<u64>) {
-        match self.model {
-            RunEngine::Rtl if self.is_traced() || self.no_lockstep => (RenderEngine::Hardware, "rtl", None),
-            RunEngine::Rtl => (RenderEngine::Lockstep, "rtl in lockstep with golden", Some(0)),
-            RunEngine::Golden | RunEngine::Reference => (RenderEngine::Golden, "golden", None),
-        }
-    }
-
     fn open(&self, scene: Scene, plan: Plan) -> Result<RenderSession, Failure> {
-        if self.is_traced() && scene.views.len() > 1 {
+        if self.simulation.is_traced() && scene.views.len() > 1 {
             return Err(Failure::Usage(format!("--trace goes with one frame, but there are {}", scene.views.len())));
         }
-        let trace = if self.is_traced() { Trace::On } else { Trace::Off };
-        let stall = if self.stalls > 0.0 { Stall::Random(self.stalls) } else { Stall::Never };
+        let trace = if self.simulation.is_traced() { Trace::On } else { Trace::Off };
         let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
-            RenderSession::on(scene, plan, self.engine().0, trace)
+            RenderSession::on(scene, plan, self.engine().into(), trace)
         });
-        Ok(session?.randomized(stall, self.seed))
+        Ok(session?.randomized(self.simulation.stall(), self.seed))
     }
 }
 
@@ -132,29 +115,28 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let (scene, plan) = load_on(&arguments.scene, &arguments.settings(), arguments.config.as_deref())?;
     let name = scene_name(&arguments.scene);
     let place = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(&name));
-    let results = Results::begin(&place)?;
     if arguments.model == RunEngine::Reference {
-        return run_reference(&scene, &name, results, &place, output);
+        return run_reference(&arguments.scene, &scene, &place, output);
     }
+    let results = Results::begin(&place)?;
     let folder = results.folder();
 
     let mut session = arguments.open(scene, plan)?;
     let package = Package::splat(&name, session.core(), &session.plan().config)?;
     generate::write_package(&package, &folder.join("verilog"))?;
-    let (_, engine, mismatches) = arguments.engine();
-    let mut frames = FrameResults::new(&session, &name, (folder, &place), engine, mismatches)?;
+    let engine = arguments.engine();
+    let mut frames = FrameResults::new(&session, &name, (folder, &place), engine)?;
     let mut fates = Fates::default();
     for index in 0..session.frames() {
-        let (path, window) = (folder.join(WAVEFORM), arguments.trace_window.clone());
-        let waveform = arguments.is_traced().then_some(Waveform { path, window });
+        let waveform = arguments.simulation.waveform(folder.join(WAVEFORM));
         let render = |progress: &(dyn Fn(u64, f64) + Sync)| session.frame_with(index, progress, waveform.as_ref());
-        let frame = with_progress(engine, render)?;
+        let frame = with_progress(engine.name(), render)?;
         if index == 0 {
             fates = frame.fates;
             frames.write_numbers(&session, &frame, arguments.depth, arguments.normals)?;
         }
-        if arguments.is_traced() {
-            waveform::finish(arguments.trace_window.as_ref(), frame.outcome.simulated_cycles)?;
+        if arguments.simulation.is_traced() {
+            waveform::finish(arguments.simulation.trace_window.as_ref(), frame.outcome.simulated_cycles)?;
             waveform::write_view(&splat_view(&session.plan().config), WAVEFORM, folder, &place)?;
         }
         frames.add(&session, &frame)?;
@@ -169,11 +151,17 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
 }
 
 /// Renders a scene's first frame by the f64 reference alone.
-fn run_reference(scene: &Scene, name: &str, results: Results, place: &Path, output: Output) -> Result<(), Failure> {
+fn run_reference(file: &Path, scene: &Scene, place: &Path, output: Output) -> Result<(), Failure> {
     const PICTURE: &str = "reference.png";
     let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+    if reference.pixels.iter().flatten().next().is_none() {
+        let problem =
+            format!("nothing is drawn of its {} splats: `camera.fit = true` has a camera see them", scene.splats.len());
+        return Err(Failure::Usage(format!("{}: {problem}", file.display())));
+    }
+    let results = Results::begin(place)?;
     shading::picture(&reference, scene).save_png(&results.folder().join(PICTURE))?;
     results.finish(&[])?;
     let path = place.join(PICTURE);
-    output.print(&json!({ "scene": name, "reference": path }), &path.display().to_string())
+    output.print(&json!({ "scene": scene_name(file), "reference": path }), &path.display().to_string())
 }

@@ -1,5 +1,6 @@
 //! What `run` leaves behind: pictures, numbers, and a report, of one frame or of a sequence.
 
+use super::super::simulation::Engine;
 use super::super::{Failure, write};
 use pointcore::picture::{Animation, FloatImage};
 use pointcore::shading;
@@ -50,8 +51,7 @@ pub struct FrameResults<'a> {
     folder: &'a Path,
     /// Where the folder's files will lie.
     place: &'a Path,
-    engine: &'a str,
-    mismatches: Option<u64>,
+    engine: Engine,
     animation: Option<Animation>,
     /// The first frame's.
     report: Option<SplatReport>,
@@ -64,8 +64,7 @@ impl<'a> FrameResults<'a> {
         session: &RenderSession,
         name: &'a str,
         (folder, place): (&'a Path, &'a Path),
-        engine: &'a str,
-        mismatches: Option<u64>,
+        engine: Engine,
     ) -> Result<Self, Failure> {
         let animation = if session.frames() > 1 {
             let frames = folder.join("frames");
@@ -75,7 +74,7 @@ impl<'a> FrameResults<'a> {
         } else {
             None
         };
-        Ok(Self { name, folder, place, engine, mismatches, animation, report: None, frames: Vec::new() })
+        Ok(Self { name, folder, place, engine, animation, report: None, frames: Vec::new() })
     }
 
     /// Adds the next frame, which the session has just rendered.
@@ -84,14 +83,14 @@ impl<'a> FrameResults<'a> {
         let reference_picture = shading::picture(&reference, session.scene());
         let report = SplatReport::new(&SplatRun {
             scene: self.name,
-            engine: self.engine,
+            engine: self.engine.name(),
             config: &session.plan().config,
             fates: frame.fates,
             counters: &frame.outcome.counters,
             frame: &frame.samples,
             reference: &reference,
             psnr_db: frame.picture.psnr_db(&reference_picture),
-            mismatches: self.mismatches,
+            mismatches: self.engine.mismatches(),
             simulated_cycles_per_second: frame.outcome.simulated_cycles as f64 / frame.outcome.elapsed.as_secs_f64(),
         });
         if let Some(animation) = &mut self.animation {
