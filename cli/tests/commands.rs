@@ -5,4 +5,5 @@ mod command_area;
 mod command_honest;
 mod command_knn;
 mod command_vectors;
+mod front;
 mod package;

@@ -6,6 +6,7 @@ pub mod chart;
 pub mod diagram;
 mod error;
 pub mod float_check;
+pub mod front;
 pub mod note;
 pub mod operands;
 pub mod stability;

@@ -1,8 +1,8 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
-use super::{Failure, Output, merge};
+use super::{Failure, Output, existing, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{configurations, effects, knn, operators, splat};
+use pointcore_lab::bench::{configurations, effects, front, knn, operators, splat};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators", "configurations"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators", "configurations", "front"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -36,10 +36,14 @@ enum Part {
     Operators,
     /// Cycles of the named configurations.
     Configurations,
+    /// Models of one's own and mistakes, through this very command.
+    Front,
 }
 
 /// Measures everything.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    // A file that is none is found before hours of measuring.
+    existing(&arguments.output)?;
     let mut figures = Figures::new();
     let scan = arguments.scan.as_deref();
     let measures = |part| arguments.only.contains(&part);
@@ -58,6 +62,12 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
     if measures(Part::Configurations) {
         configurations::figures(Path::new("."), &mut figures)?;
+    }
+    if measures(Part::Front) {
+        let program = std::env::current_exe();
+        let program = program.map_err(|source| Failure::Write { path: "pointcore".into(), source })?;
+        let scans: Vec<_> = arguments.scan.iter().chain(&arguments.models).cloned().collect();
+        front::figures(&program, &scans, &mut figures)?;
     }
 
     let merged = merge(&arguments.output, figures)?;

@@ -45,9 +45,12 @@ pub struct SweepPoint {
     pub method: RenderMethod,
 }
 
-/// A knob that is none.
+/// A knob that is none, or has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}`: expected KNOB=VALUE,…, such as geometry=f32-ftz,f24-ftz, samples=1,2 or overrides.tile_slots=2,4")]
+#[error(
+    "`{0}`: expected KNOB=VALUE,…, such as samples=1,2 or overrides.tile_slots=2,4, where KNOB is a key of the scene or one of {names}",
+    names = KEYS.map(|(name, _)| format!("`{name}`")).join(", ")
+)]
 pub struct UnknownKnob(String);
 
 /// Keys of a scene by the names of knobs.

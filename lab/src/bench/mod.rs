@@ -2,6 +2,7 @@
 
 pub mod configurations;
 pub mod effects;
+pub mod front;
 pub mod knn;
 pub mod operators;
 pub mod splat;
