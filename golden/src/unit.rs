@@ -40,6 +40,11 @@ impl<M: Model> Ported<M> {
     pub fn new(config: &M::Config, model: M) -> Self {
         Self { config: config.clone(), reset: model.clone(), model }
     }
+
+    /// The model as it stands.
+    pub fn into_model(self) -> M {
+        self.model
+    }
 }
 
 impl<M: Model> Unit for Ported<M> {

@@ -13,6 +13,29 @@ use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::units::Events;
 pub use pointcore_contract::splat::units::top::{In, Out};
 
+/// What every unit shows in a cycle: all that passes between them.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The transform unit.
+    pub transform: transform::Out,
+    /// The setup unit.
+    pub setup: setup::Out,
+    /// The splitter.
+    pub splitter: splitter::Out,
+    /// The reorder stage.
+    pub reorder: reorder::Out,
+    /// The tile cache.
+    pub tile_cache: tile_cache::Out,
+    /// The rasterizer.
+    pub rasterizer: rasterizer::Out,
+    /// The weighting unit.
+    pub weighting: weighting::Out,
+    /// The accumulator.
+    pub accumulator: accumulator::Out,
+    /// The normalizer.
+    pub normalizer: normalizer::Out,
+}
+
 /// The whole core.
 #[derive(Clone, Debug)]
 pub struct Top {
@@ -50,39 +73,27 @@ impl Top {
             normalizer: Normalizer::new(config, latencies.normalizer),
         }
     }
-}
 
-impl Model for Top {
-    type Config = Config;
-    type In = In;
-    type Out = Out;
-
-    fn outputs(&self) -> Out {
-        let tile_cache = self.tile_cache.outputs();
-        Out {
-            splat_ready: self.transform.outputs().in_ready,
-            read: tile_cache.read,
-            data_ready: tile_cache.data_ready,
-            write: tile_cache.write,
-            fragment: self.normalizer.outputs().out,
-            events: Events {
-                rasterizer: self.rasterizer.outputs().events,
-                accumulator: self.accumulator.outputs().events,
-            },
+    /// What every unit shows in this cycle.
+    #[must_use]
+    pub fn shown(&self) -> Shown {
+        Shown {
+            transform: self.transform.outputs(),
+            setup: self.setup.outputs(),
+            splitter: self.splitter.outputs(),
+            reorder: self.reorder.outputs(),
+            tile_cache: self.tile_cache.outputs(),
+            rasterizer: self.rasterizer.outputs(),
+            weighting: self.weighting.outputs(),
+            accumulator: self.accumulator.outputs(),
+            normalizer: self.normalizer.outputs(),
         }
     }
 
-    fn clock(&mut self, inputs: &In) {
-        let transform = self.transform.outputs();
-        let setup = self.setup.outputs();
-        let splitter = self.splitter.outputs();
-        let reorder = self.reorder.outputs();
-        let tile_cache = self.tile_cache.outputs();
-        let rasterizer = self.rasterizer.outputs();
-        let weighting = self.weighting.outputs();
-        let accumulator = self.accumulator.outputs();
-        let normalizer = self.normalizer.outputs();
-
+    /// One clock edge of units that show this: a [`clock`](Model::clock) for whoever has looked at what passes between them.
+    pub fn step(&mut self, inputs: &In, shown: &Shown) {
+        let Shown { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, normalizer } =
+            shown;
         let uniforms = &self.uniforms;
         self.transform.clock(&transform::In {
             input: inputs.splat,
@@ -126,5 +137,31 @@ impl Model for Top {
         if let Some(write) = inputs.uniform {
             write_uniform(&mut self.uniforms, &self.config, write);
         }
+    }
+}
+
+impl Model for Top {
+    type Config = Config;
+    type In = In;
+    type Out = Out;
+
+    fn outputs(&self) -> Out {
+        let tile_cache = self.tile_cache.outputs();
+        Out {
+            splat_ready: self.transform.outputs().in_ready,
+            read: tile_cache.read,
+            data_ready: tile_cache.data_ready,
+            write: tile_cache.write,
+            fragment: self.normalizer.outputs().out,
+            events: Events {
+                rasterizer: self.rasterizer.outputs().events,
+                accumulator: self.accumulator.outputs().events,
+            },
+        }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let shown = self.shown();
+        self.step(inputs, &shown);
     }
 }
