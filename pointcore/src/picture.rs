@@ -1,5 +1,7 @@
 //! Color images: writing, one or a sequence, comparing, magnifying differences; and images of numbers.
 
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder as _};
 use std::fs::File;
 use std::io::{BufWriter, Error, Write};
 use std::path::{Path, PathBuf};
@@ -105,6 +107,15 @@ impl<const CHANNELS: usize> FloatImage<CHANNELS> {
     }
 }
 
+/// Red, green and blue of a picture of some width and height as a PNG.
+pub(crate) fn png(bytes: &[u8], [width, height]: [usize; 2]) -> Vec<u8> {
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png)
+        .write_image(bytes, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .expect("there are three bytes a pixel, and memory can be written");
+    png
+}
+
 impl Picture {
     /// The components as bytes, pixel by pixel.
     #[must_use]
@@ -118,16 +129,13 @@ impl Picture {
     /// # Errors
     /// The file cannot be written.
     pub fn save_png(&self, path: &Path) -> Result<(), PictureError> {
-        let bytes = self.bytes();
-        image::save_buffer_with_format(
-            path,
-            &bytes,
-            self.width as u32,
-            self.height as u32,
-            image::ColorType::Rgb8,
-            image::ImageFormat::Png,
-        )
-        .map_err(|error| PictureError::new(path, error))
+        std::fs::write(path, self.png()).map_err(|source| PictureError { path: path.to_owned(), source })
+    }
+
+    /// As an 8-bit PNG.
+    #[must_use]
+    pub fn png(&self) -> Vec<u8> {
+        png(&self.bytes(), [self.width, self.height])
     }
 
     /// Peak signal-to-noise ratio in decibels, over the sRGB-encoded components without rounding to 8 bits; infinite

@@ -1,5 +1,7 @@
 //! The frame of a page beside a report: one HTML file that needs nothing besides, in light and dark, wide and narrow.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use std::fmt::{Display, Write as _};
 
 /// A page in the making.
@@ -7,6 +9,7 @@ use std::fmt::{Display, Write as _};
 pub struct Page {
     title: String,
     body: String,
+    styles: String,
     data: Vec<(&'static str, String)>,
     scripts: Vec<&'static str>,
 }
@@ -28,6 +31,12 @@ pub struct Bar {
 #[must_use]
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A PNG as the address of itself.
+#[must_use]
+pub fn embedded(png: &[u8]) -> String {
+    "data:image/png;base64,".to_owned() + &STANDARD.encode(png)
 }
 
 impl Page {
@@ -56,6 +65,13 @@ impl Page {
         self
     }
 
+    /// Rules of a style sheet for what this page alone has.
+    #[must_use]
+    pub fn style(mut self, css: &str) -> Self {
+        self.styles += css;
+        self
+    }
+
     /// Data for a script, which finds them as JSON by their name.
     #[must_use]
     pub fn data(mut self, name: &'static str, json: impl Display) -> Self {
@@ -78,8 +94,9 @@ impl Page {
         let mut html = format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <title>{title}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n",
+             <title>{title}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n",
             include_str!("page.css"),
+            self.styles,
             self.body
         );
         for (name, json) in &self.data {
@@ -116,6 +133,29 @@ pub fn table(rows: &[(String, String)]) -> String {
     format!("<table>\n{}</table>", rows.iter().map(row).collect::<String>())
 }
 
+/// A table with heads, of numbers but for its first column; what is too wide for the page scrolls in it.
+#[must_use]
+pub fn grid<T: AsRef<[String]>>(heads: &[&str], rows: &[T]) -> String {
+    columns("numbers", heads, rows)
+}
+
+/// A table with heads, of text.
+#[must_use]
+pub fn grid_of_text<T: AsRef<[String]>>(heads: &[&str], rows: &[T]) -> String {
+    columns("text", heads, rows)
+}
+
+fn columns<T: AsRef<[String]>>(class: &str, heads: &[&str], rows: &[T]) -> String {
+    let head: String = heads.iter().map(|head| format!("<th>{}</th>", escape(head))).collect();
+    let mut html =
+        format!("<div class=\"scroll\"><table class=\"{class}\">\n<thead><tr>{head}</tr></thead>\n<tbody>\n");
+    for row in rows {
+        let cells: String = row.as_ref().iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
+        _ = writeln!(html, "<tr>{cells}</tr>");
+    }
+    html + "</tbody>\n</table></div>"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -137,5 +177,12 @@ mod tests {
         assert!(html.contains("&lt;x&gt;") && html.contains("width:100.00%") && html.contains("class=\"marked\""));
         assert!(html.contains("[\"<\\/script>\"]") && html.contains("<td>&lt;b&gt;</td>"));
         assert!(!html.contains("http"), "it needs nothing besides");
+    }
+
+    #[test]
+    fn a_grid_has_its_cells_and_a_picture_is_its_own_address() {
+        let html = grid(&["unit", "<busy>"], &[["a".to_owned(), "1 & 2".to_owned()]]);
+        assert!(html.contains("<th>&lt;busy&gt;</th>") && html.contains("<tr><td>a</td><td>1 &amp; 2</td></tr>"));
+        assert_eq!(embedded(b"abc"), "data:image/png;base64,YWJj");
     }
 }

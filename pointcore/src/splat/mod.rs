@@ -1,5 +1,6 @@
 //! The renderer from scene to picture: generation, the host around it, runs on hardware and model.
 
+pub mod activity;
 mod encode;
 mod fates;
 mod frame;
@@ -7,6 +8,7 @@ mod generate;
 mod host;
 pub mod mask;
 mod memory;
+mod page;
 mod recorded;
 mod report;
 mod run;
@@ -17,7 +19,10 @@ pub use fates::Fates;
 pub use frame::assemble;
 pub use generate::SplatCore;
 pub use host::{EventCounts, SplatCounters, SplatHost};
+pub use page::{FramePictures, RunPage};
 pub use recorded::record;
-pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit, sum_limit};
+pub use report::{
+    DEPTH_ROUNDING, EDGE_ROUNDING, FrameFigures, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit, sum_limit,
+};
 pub use run::{SplatOutcome, SplatRunner};
 pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame};

@@ -112,6 +112,41 @@ pub struct SplatReport {
     pub simulated_cycles_per_second: f64,
 }
 
+/// The figures of a frame of a sequence.
+#[derive(Clone, Debug, Serialize)]
+pub struct FrameFigures {
+    cycles: u64,
+    fates: Fates,
+    samples: u64,
+    accumulated: u64,
+    /// Fragments of the frame.
+    pub fragments: u64,
+    mismatches: Option<u64>,
+    psnr_db: Option<f64>,
+}
+
+impl FrameFigures {
+    /// What its [`cells`](Self::cells) are.
+    pub const HEADS: [&str; 7] = ["cycles", "drawn", "culled", "samples", "inside", "fragments", "PSNR"];
+
+    /// Those of a report.
+    #[must_use]
+    pub const fn of(report: &SplatReport) -> Self {
+        let SplatReport { cycles, fates, samples, accumulated, fragments, mismatches, psnr_db, .. } = *report;
+        Self { cycles, fates, samples, accumulated, fragments, mismatches, psnr_db }
+    }
+
+    /// Its line in a table.
+    #[must_use]
+    pub fn cells(&self) -> [String; 7] {
+        let Self { cycles, fates, samples, accumulated, fragments, .. } = *self;
+        let psnr = self.psnr_db.map_or("–".to_owned(), |psnr_db| format!("{psnr_db:.1} dB"));
+        let [cycles, drawn, culled, samples, accumulated, fragments] =
+            [cycles, fates.drawn, fates.culled(), samples, accumulated, fragments].map(|count| count.to_string());
+        [cycles, drawn, culled, samples, accumulated, fragments, psnr]
+    }
+}
+
 /// How a frame differs from its reference.
 #[derive(Default)]
 struct Differences {
@@ -234,9 +269,9 @@ impl SplatReport {
         )
     }
 
-    /// The report as Markdown.
+    /// The figures with their names, in words.
     #[must_use]
-    pub fn markdown(&self) -> String {
+    pub fn rows(&self) -> Vec<(&'static str, String)> {
         let percent = |share: f64| format!("{:.1} %", 100.0 * share);
         let compared = match self.mismatches {
             Some(count) => format!("{count} mismatches, every output compared in every cycle"),
@@ -247,7 +282,7 @@ impl SplatReport {
             Some(_) => "the pictures are equal".to_owned(),
             None => "nothing to compare: both pictures are empty".to_owned(),
         };
-        let rows = [
+        vec![
             ("engine", self.engine.clone()),
             ("lockstep", compared),
             ("image", format!("{} × {} px, {} fragments", self.width, self.height, self.fragments)),
@@ -273,9 +308,14 @@ impl SplatReport {
             ("pixels with another material", self.material_differences.to_string()),
             ("pixels that differ by more than one rounding", self.explanation()),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
-        ];
+        ]
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
         let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);
-        for (name, value) in rows {
+        for (name, value) in self.rows() {
             _ = writeln!(text, "| {name} | {value} |");
         }
         text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";

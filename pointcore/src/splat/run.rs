@@ -1,5 +1,6 @@
 //! A frame on the hardware, on its golden model, or on both in lockstep.
 
+use super::activity::{Activity, Watched};
 use super::encode::EncodedFrame;
 use super::generate::SplatCore;
 use super::host::{SplatCounters, SplatHost};
@@ -31,6 +32,8 @@ pub struct SplatOutcome {
     pub fragments: Vec<Fragment>,
     /// What the host counted.
     pub counters: SplatCounters,
+    /// What the core did, cycle by cycle.
+    pub activity: Activity,
     /// Cycles simulated.
     pub simulated_cycles: u64,
     /// Time the simulation took.
@@ -69,12 +72,18 @@ impl<'a> SplatRunner<'a> {
     /// # Errors
     /// The frame does not come to its end.
     pub fn golden(&self, core: &SplatCore) -> Result<SplatOutcome, LockstepError> {
-        let mut golden = Top::new(self.config, &core.latencies());
-        self.alone(|inputs| {
+        let mut golden = self.model(core);
+        let run = self.alone(|inputs| {
             let outputs = golden.outputs();
             golden.clock(inputs);
             Ok(outputs)
-        })
+        })?;
+        Ok(run.with(golden.activity))
+    }
+
+    /// The golden model, watched.
+    fn model(&self, core: &SplatCore) -> Watched {
+        Watched::new(self.config, Top::new(self.config, &core.latencies()))
     }
 
     /// The hardware alone, with a waveform if one is asked for.
@@ -139,14 +148,15 @@ impl<'a> SplatRunner<'a> {
     /// The first difference, or the frame does not come to its end.
     pub fn lockstep(&self, core: &SplatCore, library: &Arc<Library>) -> Result<SplatOutcome, LockstepError> {
         let started = Instant::now();
-        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
-        let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
-        let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
+        let mut golden = Ported::new(self.config, self.model(core));
+        let step = |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
+        let lockstep = Lockstep::new(library, step, self.seed).limit(self.limit());
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
         let interface = (top::UNIT.interface)(self.config);
         let lockstep = lockstep.mask(end_records(&interface, &outputs(&interface)));
         let run = lockstep.reproduced_by(reproduce).run(self.host())?;
-        Ok(outcome(run.stimulus, run.report.cycles, started))
+        let run = Run { host: run.stimulus, simulated_cycles: run.report.cycles, elapsed: started.elapsed() };
+        Ok(run.with(golden.into_model().activity))
     }
 
     /// Resets a device and drives it without comparing, a word a port.
@@ -160,16 +170,20 @@ impl<'a> SplatRunner<'a> {
             step(&inputs, &mut outputs)?;
         }
         inputs.fill(0);
-        self.alone(|seen| {
+        let mut activity = Activity::at_ports(self.config);
+        let run = self.alone(|seen| {
             // The reset comes first.
             write(self.config, *seen, &mut inputs[1..]);
             step(&inputs, &mut outputs)?;
-            Ok(read(self.config, &outputs))
-        })
+            let outputs = read(self.config, &outputs);
+            activity.see_ports(seen, &outputs);
+            Ok(outputs)
+        })?;
+        Ok(run.with(activity))
     }
 
     /// Drives a device out of reset without comparing.
-    fn alone(&self, mut step: impl FnMut(&In) -> Result<Out, VerilatedError>) -> Result<SplatOutcome, LockstepError> {
+    fn alone(&self, mut step: impl FnMut(&In) -> Result<Out, VerilatedError>) -> Result<Run<'a>, LockstepError> {
         let started = Instant::now();
         let mut host = self.host();
         let (mut cycle, mut outputs) = (0, Out::default());
@@ -180,11 +194,20 @@ impl<'a> SplatRunner<'a> {
             outputs = step(host.inputs())?;
             cycle += 1;
         }
-        Ok(outcome(host, cycle, started))
+        Ok(Run { host, simulated_cycles: cycle, elapsed: started.elapsed() })
     }
 }
 
-fn outcome(host: SplatHost, simulated_cycles: u64, started: Instant) -> SplatOutcome {
-    let SplatHost { fragments, counters, .. } = host;
-    SplatOutcome { fragments, counters, simulated_cycles, elapsed: started.elapsed() }
+/// A run as the host saw it.
+struct Run<'a> {
+    host: SplatHost<'a>,
+    simulated_cycles: u64,
+    elapsed: Duration,
+}
+
+impl Run<'_> {
+    fn with(self, activity: Activity) -> SplatOutcome {
+        let Self { host: SplatHost { fragments, counters, .. }, simulated_cycles, elapsed } = self;
+        SplatOutcome { fragments, counters, activity, simulated_cycles, elapsed }
+    }
 }

@@ -1,0 +1,179 @@
+//! Where in the image a frame takes its cycles: counts by sample, and by tile.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
+use pointcore_contract::splat::records::{PlacedCopy, SamplePlace};
+use std::collections::VecDeque;
+
+/// Pixels of a tile.
+const PIXELS: usize = TILE_PIXELS as usize;
+/// Pixels along a tile's edge.
+const SIZE: usize = TILE_SIZE as usize;
+
+/// A count for each of an image's places, row by row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Map {
+    /// Places in a row.
+    pub width: usize,
+    /// The counts.
+    pub counts: Vec<u32>,
+}
+
+impl Map {
+    /// All counts together.
+    #[must_use]
+    pub fn sum(&self) -> u64 {
+        self.counts.iter().copied().map(u64::from).sum()
+    }
+}
+
+/// How tiles lie in the image.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    columns: usize,
+    rows: usize,
+    column_bits: u32,
+}
+
+impl Layout {
+    pub(super) fn new(config: &Config) -> Self {
+        let [columns, rows] = [config.width, config.height].map(|edge| edge as usize);
+        Self { columns, rows, column_bits: config.tile_column_bits() }
+    }
+
+    /// Tiles that there may be: as many as their addresses reach.
+    const fn tiles(&self) -> usize {
+        self.rows.div_ceil(SIZE) << self.column_bits
+    }
+
+    /// Counts by tile, as an image of tiles.
+    pub(super) fn by_tile(&self, counts: &[u32]) -> Map {
+        let (width, height) = (self.columns.div_ceil(SIZE), self.rows.div_ceil(SIZE));
+        let row = |row: usize| counts[row << self.column_bits..][..width].iter().copied();
+        Map { width, counts: (0..height).flat_map(row).collect() }
+    }
+
+    /// Counts by tile and the tile's pixel, as an image.
+    fn by_pixel(&self, counts: &[u32]) -> Map {
+        let place = |row: usize, column: usize| {
+            let tile = (row / SIZE) << self.column_bits | column / SIZE;
+            tile * PIXELS + row % SIZE * SIZE + column % SIZE
+        };
+        let row = |row: usize| (0..self.columns).map(move |column| place(row, column));
+        Map { width: self.columns, counts: (0..self.rows).flat_map(row).map(|place| counts[place]).collect() }
+    }
+
+    pub(super) fn zeros_by_tile(&self) -> Vec<u32> {
+        vec![0; self.tiles()]
+    }
+}
+
+/// What passes between rasterizer and accumulator, counted where it lies in the image.
+#[derive(Clone, Debug)]
+pub struct SampleMaps {
+    layout: Layout,
+    /// The tile in each slot of the tile cache, for the copies passed on last.
+    tiles: Vec<u32>,
+    /// Samples inside their splat that the accumulator has not taken yet, by tile and pixel.
+    waiting: VecDeque<u32>,
+    evaluated: Vec<u32>,
+    inside: Vec<u32>,
+    hazards: Vec<u32>,
+}
+
+impl SampleMaps {
+    pub(super) fn new(config: &Config) -> Self {
+        let layout = Layout::new(config);
+        let zeros = vec![0; layout.tiles() * PIXELS];
+        let tiles = vec![0; config.tile_slots as usize];
+        let waiting = VecDeque::new();
+        Self { layout, tiles, waiting, evaluated: zeros.clone(), inside: zeros.clone(), hazards: zeros }
+    }
+
+    /// The rasterizer takes a copy: it will evaluate a sample at each pixel of its rectangle.
+    pub(super) fn copy(&mut self, PlacedCopy { copy, slot }: &PlacedCopy) {
+        if copy.end {
+            return;
+        }
+        self.tiles[usize::from(*slot)] = copy.tile;
+        let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
+        let bounds = copy.bounds;
+        for row in bounds.top..=bounds.bottom {
+            let row = &mut tile[usize::from(row) * SIZE..][..SIZE];
+            row[bounds.left.into()..=bounds.right.into()].iter_mut().for_each(|count| *count += 1);
+        }
+    }
+
+    /// The accumulator's queue takes a sample. A slot's tile is replaced only when none of its samples is on its way.
+    pub(super) fn sample(&mut self, place: &SamplePlace) {
+        if place.inside {
+            let index = self.tiles[usize::from(place.slot)] * TILE_PIXELS + u32::from(place.pixel);
+            self.inside[index as usize] += 1;
+            self.waiting.push_back(index);
+        }
+    }
+
+    /// The accumulator took the sample that waited longest.
+    pub(super) fn accumulated(&mut self) {
+        self.waiting.pop_front();
+    }
+
+    /// The sample that waits longest waits for an earlier one of its pixel.
+    pub(super) fn hazard(&mut self) {
+        if let Some(index) = self.waiting.front() {
+            self.hazards[*index as usize] += 1;
+        }
+    }
+
+    /// Samples that the rasterizer evaluated.
+    #[must_use]
+    pub fn evaluated(&self) -> Map {
+        self.layout.by_pixel(&self.evaluated)
+    }
+
+    /// Samples inside their splat, which reach the pixel.
+    #[must_use]
+    pub fn inside(&self) -> Map {
+        self.layout.by_pixel(&self.inside)
+    }
+
+    /// Cycles in which the accumulator waited for an earlier sample of the pixel.
+    #[must_use]
+    pub fn hazards(&self) -> Map {
+        self.layout.by_pixel(&self.hazards)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_contract::splat::records::{SplatCopy, TileRectangle};
+
+    #[test]
+    fn counts_lie_where_their_pixels_do() {
+        let config = Config { width: 20, height: 16, ..Config::default() };
+        let mut maps = SampleMaps::new(&config);
+        let tile = 1 << config.tile_column_bits() | 2;
+        let bounds = TileRectangle { left: 0, right: 1, top: 3, bottom: 4 };
+        maps.copy(&PlacedCopy { copy: SplatCopy { tile, bounds, ..SplatCopy::default() }, slot: 1 });
+        maps.copy(&PlacedCopy { copy: SplatCopy { end: true, bounds, ..SplatCopy::default() }, slot: 0 });
+        let place = SamplePlace { inside: true, slot: 1, pixel: 3 * 8 + 1, ..SamplePlace::default() };
+        maps.sample(&place);
+        maps.sample(&SamplePlace { inside: false, ..place });
+        maps.hazard();
+        maps.accumulated();
+        maps.hazard();
+        let places = |map: Map| {
+            let set = map.counts.iter().enumerate().filter(|(_, count)| **count > 0);
+            let set: Vec<_> = set.map(|(index, count)| (index % map.width, index / map.width, *count)).collect();
+            set
+        };
+        assert_eq!(places(maps.evaluated()), [(16, 11, 1), (17, 11, 1), (16, 12, 1), (17, 12, 1)]);
+        assert_eq!(places(maps.inside()), [(17, 11, 1)]);
+        assert_eq!(places(maps.hazards()), [(17, 11, 1)], "nothing waits any more");
+        assert_eq!(maps.evaluated().counts.len(), 20 * 16);
+        let mut by_tile = maps.layout.zeros_by_tile();
+        by_tile[tile as usize] = 7;
+        assert_eq!(maps.layout.by_tile(&by_tile), Map { width: 3, counts: vec![0, 0, 0, 0, 0, 7] });
+    }
+}

@@ -1,0 +1,138 @@
+//! What the core did in a frame, cycle by cycle: a timeline of its units, and maps of the image.
+//!
+//! It is seen from outside, in the streams between the units. The golden model shows all of them; hardware shows its ports alone.
+
+mod maps;
+mod states;
+mod timeline;
+
+pub use maps::{Map, SampleMaps};
+pub use timeline::{State, Timeline, Unit};
+
+use maps::Layout;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::PlacedPixel;
+use pointcore_golden::splat::Top;
+use pointcore_golden::splat::top::{In, Out, Shown};
+use pointcore_golden::unit::Model;
+use states::{MemoryPort, States};
+
+/// What the core did in a frame.
+#[derive(Clone, Debug)]
+pub struct Activity {
+    layout: Layout,
+    timeline: Timeline,
+    /// By tile: how often it was written back for another.
+    evictions: Vec<u32>,
+    states: States,
+    /// Absent where only ports are seen.
+    samples: Option<SampleMaps>,
+}
+
+impl Activity {
+    /// Nothing yet; only what the core's ports tell is going to be seen.
+    #[must_use]
+    pub fn at_ports(config: &Config) -> Self {
+        let layout = Layout::new(config);
+        let evictions = layout.zeros_by_tile();
+        Self { layout, timeline: Timeline::default(), evictions, states: States::new(config), samples: None }
+    }
+
+    /// Nothing yet; what passes between the units is going to be seen.
+    #[must_use]
+    pub fn of_units(config: &Config) -> Self {
+        Self { samples: Some(SampleMaps::new(config)), ..Self::at_ports(config) }
+    }
+
+    /// Sees a cycle at the core's ports.
+    pub fn see_ports(&mut self, inputs: &In, outputs: &Out) {
+        let Out { read, data_ready, write, events, .. } = outputs;
+        let write = write.as_ref();
+        self.see_eviction(inputs, write);
+        let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready: *data_ready, write };
+        self.timeline.push(states::at_ports(&memory, &events.rasterizer, &events.accumulator));
+    }
+
+    /// Sees a cycle of all units.
+    pub fn see_units(&mut self, inputs: &In, shown: &Shown) {
+        self.see_eviction(inputs, shown.tile_cache.write.as_ref());
+        self.timeline.push(self.states.see(inputs, shown));
+        let Some(samples) = &mut self.samples else { return };
+        // Events tell of the cycle before: they come before what is handed over in this one.
+        let events = &shown.accumulator.events;
+        if events.accumulate {
+            samples.accumulated();
+        } else if events.hazard {
+            samples.hazard();
+        }
+        if let Some(copy) = shown.tile_cache.out.as_ref().filter(|_| shown.rasterizer.in_ready) {
+            samples.copy(copy);
+        }
+        if let Some(sample) = shown.weighting.out.as_ref().filter(|_| shown.accumulator.in_ready) {
+            samples.sample(&sample.place);
+        }
+    }
+
+    /// A tile is written back from its first pixel to its last.
+    fn see_eviction(&mut self, inputs: &In, write: Option<&PlacedPixel>) {
+        if let Some(write) = write.filter(|write| inputs.write_ready && write.pixel == 0) {
+            self.evictions[write.tile as usize] += 1;
+        }
+    }
+
+    /// What units did over the run.
+    #[must_use]
+    pub const fn timeline(&self) -> &Timeline {
+        &self.timeline
+    }
+
+    /// The units of which it tells.
+    #[must_use]
+    pub const fn units(&self) -> &'static [Unit] {
+        if self.samples.is_some() { &Unit::ALL } else { &Unit::AT_PORTS }
+    }
+
+    /// Maps of samples; absent where only ports were seen.
+    #[must_use]
+    pub const fn samples(&self) -> Option<&SampleMaps> {
+        self.samples.as_ref()
+    }
+
+    /// How often each tile was written back to the reconstruction buffer for another, as an image of tiles.
+    #[must_use]
+    pub fn evictions(&self) -> Map {
+        self.layout.by_tile(&self.evictions)
+    }
+}
+
+/// A golden model whose units are watched.
+#[derive(Clone)]
+pub struct Watched {
+    top: Top,
+    /// What it did so far.
+    pub activity: Activity,
+}
+
+impl Watched {
+    /// The model after reset.
+    #[must_use]
+    pub fn new(config: &Config, top: Top) -> Self {
+        Self { top, activity: Activity::of_units(config) }
+    }
+}
+
+impl Model for Watched {
+    type Config = Config;
+    type In = In;
+    type Out = Out;
+
+    fn outputs(&self) -> Out {
+        self.top.outputs()
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let shown = self.top.shown();
+        self.activity.see_units(inputs, &shown);
+        self.top.step(inputs, &shown);
+    }
+}
