@@ -4,7 +4,8 @@ use super::super::simulation::Engine;
 use super::super::{Failure, write};
 use pointcore::picture::{Animation, FloatImage};
 use pointcore::shading;
-use pointcore::splat::{Fates, RenderSession, RenderedFrame, SplatReport, SplatRun};
+use pointcore::splat::activity::Activity;
+use pointcore::splat::{FrameFigures, FramePictures, RenderSession, RenderedFrame, RunPage, SplatReport, SplatRun};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -12,18 +13,8 @@ use std::path::Path;
 
 /// How much difference.png magnifies.
 const MAGNIFICATION: f64 = 16.0;
-
-/// The figures of a frame of a sequence.
-#[derive(Serialize)]
-struct FrameFigures {
-    cycles: u64,
-    fates: Fates,
-    samples: u64,
-    accumulated: u64,
-    fragments: u64,
-    mismatches: Option<u64>,
-    psnr_db: Option<f64>,
-}
+/// All frames of a sequence.
+const ANIMATION: &str = "animation.png";
 
 /// The report as JSON: the first frame's figures, and beside them those of all.
 #[derive(Serialize)]
@@ -45,6 +36,13 @@ pub struct Summary {
     pub text: String,
 }
 
+/// What report and page tell of the first frame.
+struct FirstFrame {
+    report: SplatReport,
+    pictures: FramePictures,
+    activity: Activity,
+}
+
 /// Results of frames so far.
 pub struct FrameResults<'a> {
     name: &'a str,
@@ -53,8 +51,7 @@ pub struct FrameResults<'a> {
     place: &'a Path,
     engine: Engine,
     animation: Option<Animation>,
-    /// The first frame's.
-    report: Option<SplatReport>,
+    first: Option<FirstFrame>,
     frames: Vec<FrameFigures>,
 }
 
@@ -70,11 +67,11 @@ impl<'a> FrameResults<'a> {
             let frames = folder.join("frames");
             std::fs::create_dir_all(&frames).map_err(|source| Failure::Write { path: frames, source })?;
             let [width, height] = shading::picture_size(session.scene());
-            Some(Animation::create(&folder.join("animation.png"), [width, height], session.frames())?)
+            Some(Animation::create(&folder.join(ANIMATION), [width, height], session.frames())?)
         } else {
             None
         };
-        Ok(Self { name, folder, place, engine, animation, report: None, frames: Vec::new() })
+        Ok(Self { name, folder, place, engine, animation, first: None, frames: Vec::new() })
     }
 
     /// Adds the next frame, which the session has just rendered.
@@ -98,21 +95,14 @@ impl<'a> FrameResults<'a> {
             frame.picture.save_png(&self.folder.join(name))?;
             animation.push(&frame.picture)?;
         }
-        self.frames.push(FrameFigures {
-            cycles: report.cycles,
-            fates: report.fates,
-            samples: report.samples,
-            accumulated: report.accumulated,
-            fragments: report.fragments,
-            mismatches: report.mismatches,
-            psnr_db: report.psnr_db,
-        });
-        if self.report.is_none() {
+        self.frames.push(FrameFigures::of(&report));
+        if self.first.is_none() {
             let save = |name: &str| self.folder.join(name);
-            frame.picture.save_png(&save("frame.png"))?;
-            reference_picture.save_png(&save("reference.png"))?;
-            frame.picture.difference(&reference_picture, MAGNIFICATION).save_png(&save("difference.png"))?;
-            self.report = Some(report);
+            let pictures = FramePictures { frame: frame.picture.clone(), reference: reference_picture };
+            pictures.frame.save_png(&save("frame.png"))?;
+            pictures.reference.save_png(&save("reference.png"))?;
+            pictures.frame.difference(&pictures.reference, MAGNIFICATION).save_png(&save("difference.png"))?;
+            self.first = Some(FirstFrame { report, pictures, activity: frame.outcome.activity.clone() });
         }
         Ok(())
     }
@@ -147,12 +137,12 @@ impl<'a> FrameResults<'a> {
         Ok(())
     }
 
-    /// Writes the report; returns what is to be printed.
+    /// Writes report and page; returns what is to be printed.
     pub fn finish(self, session: &RenderSession) -> Result<Summary, Failure> {
         let fragments = self.frames.iter().map(|frame| frame.fragments).sum();
         let is_sequence = self.animation.is_some();
         self.animation.map_or(Ok(()), Animation::finish)?;
-        let report = self.report.expect("a session has one frame at least");
+        let FirstFrame { report, pictures, activity } = self.first.expect("a session has one frame at least");
         let notes = &session.scene().notes;
         let mut markdown = report.markdown();
         if is_sequence {
@@ -167,26 +157,36 @@ impl<'a> FrameResults<'a> {
         write(&self.folder.join("report.md"), &markdown)?;
         let text = serde_json::to_string_pretty(&document).expect("reports have string keys");
         write(&self.folder.join("report.json"), &text)?;
-        let shown = self.place.join(if is_sequence { "animation.png" } else { "frame.png" });
-        let text = format!("{markdown}\nWritten to {}: {}", self.place.display(), shown.display());
+        let animation = if is_sequence { Some(read(&self.folder.join(ANIMATION))?) } else { None };
+        let page = RunPage {
+            report: &report,
+            pictures: &pictures,
+            activity: &activity,
+            plan: session.plan(),
+            notes,
+            sequence,
+            animation: animation.as_deref(),
+        };
+        write(&self.folder.join("index.html"), &page.html())?;
+        let shown = self.place.join(if is_sequence { ANIMATION } else { "frame.png" });
+        let text =
+            format!("{markdown}\nWritten to {}: {}; index.html tells more", self.place.display(), shown.display());
         Ok(Summary { fragments, document: json!(document), text })
     }
 }
 
+/// What was just written.
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|source| Failure::Write { path: path.to_owned(), source })
+}
+
 /// The figures of a sequence's frames.
 fn table(frames: &[FrameFigures]) -> String {
-    let mut text =
-        "\n## The sequence\n\n![animation](animation.png)\n\n| frame | cycles | drawn | culled | samples | inside | \
-                    fragments | PSNR |\n|---|---|---|---|---|---|---|---|\n"
-            .to_owned();
+    let heads = FrameFigures::HEADS.join(" | ");
+    let rule = "|---".repeat(FrameFigures::HEADS.len() + 1);
+    let mut text = format!("\n## The sequence\n\n![animation]({ANIMATION})\n\n| frame | {heads} |\n{rule}|\n");
     for (index, frame) in frames.iter().enumerate() {
-        let psnr = frame.psnr_db.map_or("–".to_owned(), |psnr_db| format!("{psnr_db:.1} dB"));
-        let FrameFigures { cycles, fates, samples, accumulated, fragments, .. } = frame;
-        let (drawn, culled) = (fates.drawn, fates.culled());
-        _ = writeln!(
-            text,
-            "| {index} | {cycles} | {drawn} | {culled} | {samples} | {accumulated} | {fragments} | {psnr} |"
-        );
+        _ = writeln!(text, "| {index} | {} |", frame.cells().join(" | "));
     }
     text
 }
