@@ -1,14 +1,14 @@
-//! Points over what they cost, as SVG: every one named, those that nothing betters joined by a line, settings on hovering.
+//! Points over what they cost, as SVG: those that nothing betters are named and joined by a line, the others tell their names and
+//! settings on hovering.
 
+use super::names::{Area, GAP, LETTER, Taken, nearest};
 use super::{Axis, escape, number};
 use std::fmt::Write as _;
 
-/// Size in px.
-const SIZE: [f64; 2] = [760.0, 460.0];
 /// Left, right, top and bottom.
-const MARGINS: [f64; 4] = [56.0, 20.0, 34.0, 46.0];
-/// Width of a letter of a name, rather more than it takes, and its height.
-const LETTER: [f64; 2] = [6.0, 10.0];
+const MARGINS: [f64; 4] = [50.0, 14.0, 34.0, 44.0];
+/// Half the side of a point's box.
+const POINT: f64 = 5.0;
 /// A point of a chart.
 pub struct Mark {
     /// Beside it.
@@ -35,37 +35,8 @@ pub struct FrontChart<'a> {
     pub y: &'a str,
     /// The points.
     pub marks: Vec<Mark>,
-}
-
-/// Boxes that names may not cover.
-#[derive(Default)]
-struct Taken(Vec<[f64; 4]>);
-
-impl Taken {
-    fn is_free(&self, area: &[f64; 4]) -> bool {
-        let apart =
-            |other: &[f64; 4]| area[2] <= other[0] || other[2] <= area[0] || area[3] <= other[1] || other[3] <= area[1];
-        area[0] >= MARGINS[0]
-            && area[2] <= SIZE[0]
-            && area[1] >= 0.0
-            && area[3] <= SIZE[1] - MARGINS[3]
-            && self.0.iter().all(apart)
-    }
-
-    /// The corner where a name next to `(x, y)` covers nothing, or least far away; takes it.
-    fn place(&mut self, name: &str, x: f64, y: f64) -> [f64; 2] {
-        let width = LETTER[0] * name.chars().count() as f64;
-        let area = |left: f64, top: f64| [left, top, left + width, top + LETTER[1]];
-        let mut candidates = (0..40).flat_map(|ring| {
-            let shift = 4.0 + 5.0 * f64::from(ring / 2);
-            let up = [y - LETTER[1] / 2.0 - shift, y - LETTER[1] / 2.0 + shift];
-            [x + 7.0, x - 7.0 - width, x - width / 2.0].into_iter().flat_map(move |left| up.map(|top| area(left, top)))
-        });
-        let place = candidates.find(|area| self.is_free(area));
-        let place = place.unwrap_or_else(|| area((x + 7.0).min(SIZE[0] - width), y));
-        self.0.push(place);
-        [place[0], place[1] + LETTER[1] - 2.0]
-    }
+    /// Width and height in px.
+    pub size: [f64; 2],
 }
 
 impl FrontChart<'_> {
@@ -73,25 +44,29 @@ impl FrontChart<'_> {
     #[must_use]
     pub fn svg(&self) -> String {
         let [left, right, top, bottom] = MARGINS;
-        let x_axis = Axis::new(self.marks.iter().map(|mark| mark.x.log10()), left, SIZE[0] - right);
-        let y_axis = Axis::new(self.marks.iter().map(|mark| mark.y), SIZE[1] - bottom, top);
+        let [width, height] = self.size;
+        let x_axis = Axis::new(self.marks.iter().map(|mark| mark.x.log10()), left, width - right);
+        let y_axis = Axis::new(self.marks.iter().map(|mark| mark.y), height - bottom, top);
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n<g class=\"grid\">\n",
-            SIZE[0],
-            SIZE[1],
+            "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\">\n<g class=\"grid\">\n",
             escape(self.title)
         );
+        let mut last = f64::NEG_INFINITY;
         for tick in x_axis.decimal_ticks() {
-            let (x, low) = (x_axis.place(tick.log10()), SIZE[1] - bottom);
+            let (x, low) = (x_axis.place(tick.log10()), height - bottom);
+            let (text, half) = (number(tick), LETTER[0] * number(tick).chars().count() as f64 / 2.0);
+            // Numbers keep apart, and within the chart.
+            let text = if x - half > last + LETTER[0] && x + half < width { text } else { String::new() };
+            last = if text.is_empty() { last } else { x + half };
             _ = writeln!(
                 svg,
                 "<path d=\"M{x:.1} {top}V{low}\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                low + 15.0,
-                number(tick)
+                low + 16.0,
+                escape(&text)
             );
         }
         for tick in y_axis.ticks() {
-            let (y, high) = (y_axis.place(tick), SIZE[0] - right);
+            let (y, high) = (y_axis.place(tick), width - right);
             _ = writeln!(
                 svg,
                 "<path d=\"M{left} {y:.1}H{high}\"/><text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
@@ -100,63 +75,97 @@ impl FrontChart<'_> {
                 number(tick)
             );
         }
-        let (middle_x, middle_y) = ((left + SIZE[0] - right) / 2.0, (top + SIZE[1] - bottom) / 2.0);
+        let (middle_x, middle_y) = ((left + width - right) / 2.0, (top + height - bottom) / 2.0);
         _ = writeln!(
             svg,
             "</g>\n<text class=\"title\" x=\"{left}\" y=\"18\">{}</text><text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text><text transform=\"translate(14 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
             escape(self.title),
-            SIZE[1] - 10.0,
+            height - 10.0,
             escape(self.x),
             escape(self.y)
         );
-        self.front(&mut svg, &x_axis, &y_axis);
-        self.points(&mut svg, &x_axis, &y_axis);
+        let front = self.front(&x_axis, &y_axis);
+        let line: Vec<String> = front.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        _ = writeln!(svg, "<polyline class=\"front\" points=\"{}\"/>", line.join(" "));
+        self.points(&mut svg, &x_axis, &y_axis, &front);
         svg + "</svg>\n"
     }
 
-    /// A staircase through the points of which none is both cheaper and better.
-    fn front(&self, svg: &mut String, x_axis: &Axis, y_axis: &Axis) {
+    /// The corners of a staircase through the points of which none is both cheaper and better.
+    fn front(&self, x_axis: &Axis, y_axis: &Axis) -> Vec<[f64; 2]> {
         let mut marks: Vec<&Mark> = self.marks.iter().collect();
         marks.sort_by(|a, b| a.x.total_cmp(&b.x).then(b.y.total_cmp(&a.y)));
         let mut best = f64::NEG_INFINITY;
-        let mut path = String::new();
+        let mut corners: Vec<[f64; 2]> = Vec::new();
         for mark in marks {
             if mark.y > best {
                 let (x, y) = (x_axis.place(mark.x.log10()), y_axis.place(mark.y));
-                _ = if path.is_empty() { write!(path, "M{x:.1} {y:.1}") } else { write!(path, "H{x:.1}V{y:.1}") };
+                corners.extend(corners.last().map(|last| [x, last[1]]));
+                corners.push([x, y]);
                 best = mark.y;
             }
         }
-        _ = writeln!(svg, "<path class=\"front\" d=\"{path}\"/>");
+        corners
     }
 
-    fn points(&self, svg: &mut String, x_axis: &Axis, y_axis: &Axis) {
+    fn points(&self, svg: &mut String, x_axis: &Axis, y_axis: &Axis, front: &[[f64; 2]]) {
         let place = |mark: &Mark| (x_axis.place(mark.x.log10()), y_axis.place(mark.y));
-        let mut taken = Taken::default();
-        for (x, y) in self.marks.iter().map(place) {
-            taken.0.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
-        }
-        // The front's names find their places first.
+        let [left, _, top, bottom] = MARGINS;
+        let points = self.marks.iter().map(place).map(|(x, y)| [x - POINT, y - POINT, x + POINT, y + POINT]).collect();
+        let room = [left + 2.0, top, self.size[0], self.size[1] - bottom - 2.0];
+        let line = |ends: &[[f64; 2]]| {
+            let [[x, y], [other_x, other_y]] = [ends[0], ends[1]];
+            [x.min(other_x) - 1.0, y.min(other_y) - 1.0, x.max(other_x) + 1.0, y.max(other_y) + 1.0]
+        };
+        let lines = front.windows(2).map(line).collect();
+        let mut taken = Taken::new(room, points, lines);
+        // What is drawn last lies on top: the front.
         let mut marks: Vec<&Mark> = self.marks.iter().collect();
-        marks.sort_by_key(|mark| !mark.on_front);
+        marks.sort_by_key(|mark| mark.on_front);
         for mark in marks {
             let (x, y) = place(mark);
-            let [name_x, name_y] = taken.place(&mark.name, x, y);
+            let area = if mark.on_front { taken.place(&mark.name, x, y) } else { None };
             let class = if mark.on_front { "point best" } else { "point" };
-            _ = writeln!(
+            _ = write!(
                 svg,
-                "<g class=\"{class}\" data-index=\"{}\" tabindex=\"0\"><title>{}</title><path class=\"lead\" d=\"M{x:.1} {y:.1}L{name_x:.1} {:.1}\"/><circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/><text x=\"{name_x:.1}\" y=\"{name_y:.1}\">{}</text></g>",
+                "<g class=\"{class}\" data-index=\"{}\" tabindex=\"0\"><title>{}</title>",
                 mark.index,
-                escape(&mark.hint),
-                name_y - 3.0,
-                escape(&mark.name)
+                escape(&mark.hint)
             );
+            if let Some(area) = area {
+                let [lead_x, lead_y] = nearest(&area, x, y);
+                if (lead_x - x).hypot(lead_y - y) > 1.5 * GAP {
+                    _ = write!(svg, "<path class=\"lead\" d=\"M{x:.1} {y:.1}L{lead_x:.1} {lead_y:.1}\"/>");
+                }
+            }
+            _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/>");
+            _ = writeln!(svg, "{}</g>", self.name(mark, area, [x, y]));
         }
+    }
+
+    /// A point's name: where it has room, else over all others, for as long as the point is chosen.
+    fn name(&self, mark: &Mark, area: Option<Area>, [x, y]: [f64; 2]) -> String {
+        let (class, x, y) = match area {
+            Some([left, _, right, low]) => ("name", (left + right) / 2.0, low - 2.5),
+            None => {
+                let half = LETTER[0] * mark.name.chars().count() as f64 / 2.0;
+                let (low, high) = (half, (self.size[0] - half).max(half));
+                let above = y - GAP - 2.0;
+                (
+                    "name hidden",
+                    x.clamp(low, high),
+                    if above - LETTER[1] > MARGINS[2] { above } else { y + GAP + LETTER[1] },
+                )
+            }
+        };
+        let name = escape(&mark.name);
+        format!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\">{name}</text>")
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::names::overlap;
     use super::*;
 
     fn mark(index: usize, x: f64, y: f64) -> Mark {
@@ -164,32 +173,70 @@ mod tests {
         Mark { name: format!("point<{index}>"), hint: format!("settings {index}"), x, y, on_front, index }
     }
 
+    /// What follows each occurrence of some text.
+    fn after<'a>(svg: &'a str, text: &'a str) -> impl Iterator<Item = &'a str> {
+        svg.split(text).skip(1)
+    }
+
+    fn leading(text: &str) -> f64 {
+        text.split('"').next().and_then(|text| text.parse().ok()).expect("an attribute is a number")
+    }
+
+    /// The boxes of the names that are always there, a little smaller: coordinates are rounded.
+    fn names(svg: &str) -> Vec<Area> {
+        let area = |name: &str| {
+            let rest = after(name, "y=\"").next().expect("it has a place");
+            let text = after(rest, ">").next().and_then(|text| text.split('<').next()).expect("it has a text");
+            let (x, low) = (leading(name), leading(rest) + 2.5);
+            let half = LETTER[0] * text.chars().count() as f64 / 2.0 - 0.1;
+            [x - half, low - LETTER[1] + 0.1, x + half, low - 0.1]
+        };
+        after(svg, "<text class=\"name\" x=\"").map(area).collect()
+    }
+
     #[test]
-    fn every_point_is_named_and_hinted_at_once() {
+    fn every_point_is_there_and_tells_its_settings() {
         let marks: Vec<_> =
             (0..30_u8).map(|i| mark(i.into(), 1.0 + f64::from(i % 3), 40.0 + f64::from(i % 2))).collect();
-        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks }.svg();
+        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks, size: [560.0, 400.0] }.svg();
         assert_eq!((svg.matches("<circle").count(), svg.matches("<title>").count()), (30, 30));
         for index in 0..30 {
             assert_eq!(svg.matches(&format!(">point&lt;{index}&gt;</text>")).count(), 1, "{index}");
             assert!(svg.contains(&format!("<title>settings {index}</title>")), "{index}");
         }
+        assert_eq!(svg.matches("class=\"name hidden\"").count(), 29, "only the front is named");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }
 
     #[test]
     fn one_point_alone_can_be_drawn() {
-        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks: vec![mark(0, 3.0, 0.0)] }.svg();
+        let marks = vec![mark(0, 3.0, 0.0)];
+        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks, size: [560.0, 400.0] }.svg();
         assert!(!svg.contains("NaN") && svg.contains("class=\"point best\""), "{svg}");
     }
 
     #[test]
-    fn names_do_not_cover_each_other() {
-        let mut taken = Taken::default();
-        let first = taken.place("a name", 300.0, 200.0);
-        let second = taken.place("a name", 300.0, 200.0);
-        assert_ne!(first, second);
-        let [a, b] = [taken.0[0], taken.0[1]];
-        assert!(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1], "{a:?} {b:?}");
+    fn names_cover_neither_each_other_nor_points_nor_the_title() {
+        for size in [[560.0, 400.0], [360.0, 380.0]] {
+            let best = |i: u8| {
+                let mark = mark(i.into(), 1.0 + f64::from(i / 5) / 9.0, 40.0 + f64::from(i));
+                Mark { on_front: true, name: format!("a point {i}"), ..mark }
+            };
+            let marks: Vec<_> = (0..40).map(best).collect();
+            let chart = FrontChart { title: "T", x: "ms", y: "dB", marks, size };
+            let svg = chart.svg();
+            let names = names(&svg);
+            assert!(names.len() >= 10, "{} of 40 found room", names.len());
+            let point = |circle: &str| {
+                let (x, y) = (leading(circle), leading(after(circle, "cy=\"").next().expect("it has a place")));
+                [x - 3.9, y - 3.9, x + 3.9, y + 3.9]
+            };
+            let points: Vec<Area> = after(&svg, "<circle cx=\"").map(point).collect();
+            assert_eq!(points.len(), 40);
+            for (index, name) in names.iter().enumerate() {
+                assert!(!names[..index].iter().chain(&points).any(|other| overlap(name, other)), "{name:?}");
+                assert!(name[1] >= MARGINS[2] && name[0] >= MARGINS[0] && name[2] <= size[0], "{name:?}");
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod front;
 pub mod lines;
+mod names;
 
 /// Room around the points, as a share of their range.
 const HEADROOM: f64 = 0.06;

@@ -4,16 +4,17 @@ use super::choice::Rated;
 use super::sweep::{DIFFERENCE, FRAME};
 use super::table::{COLUMNS, cells, decibels};
 use crate::LabError;
-use crate::chart::escape;
 use crate::chart::front::{FrontChart, Mark};
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
+use pointcore::page::{self, Page, escape};
 use pointcore_tb::cache::file;
 use serde_json::{Value, json};
 use std::path::Path;
 
 /// Bytes of pictures, beyond which those of points that others better are left out.
 const PICTURES_LIMIT: usize = 16 << 20;
+
+/// Sizes of a chart in px, on wide screens and on narrow ones.
+const SIZES: [(&str, [f64; 2]); 2] = [("wide", [560.0, 430.0]), ("narrow", [380.0, 380.0])];
 
 /// What a page is made of.
 pub struct SweepPage<'a> {
@@ -32,7 +33,7 @@ pub struct SweepPage<'a> {
 /// A picture as the address of itself.
 fn embedded(path: &Path) -> Result<String, LabError> {
     let bytes = std::fs::read(path).map_err(file("read", path))?;
-    Ok("data:image/png;base64,".to_owned() + &STANDARD.encode(bytes))
+    Ok(page::embedded(&bytes))
 }
 
 /// A point's settings and figures, a line each.
@@ -70,11 +71,15 @@ impl SweepPage<'_> {
             let (x, y, on_front) = (value(rated)?, rated.measured.figures.psnr_db, rated.on_front);
             Some(Mark { name, hint, x, y, on_front, index })
         };
-        let marks: Vec<_> = self.rated.iter().enumerate().filter_map(mark).collect();
-        if marks.is_empty() {
-            return String::new();
-        }
-        FrontChart { title, x, y: "PSNR against the truth, dB", marks }.svg()
+        let drawn = SIZES.map(|(class, size)| {
+            let marks: Vec<_> = self.rated.iter().enumerate().filter_map(mark).collect();
+            if marks.is_empty() {
+                return String::new();
+            }
+            let svg = FrontChart { title, x, y: "PSNR against the truth, dB", marks, size }.svg();
+            svg.replacen("<svg", &format!("<svg class=\"{class}\""), 1)
+        });
+        format!("<div>{}</div>\n", drawn.concat())
     }
 
     fn table(&self) -> String {
@@ -84,7 +89,9 @@ impl SweepPage<'_> {
             format!("<tr data-index=\"{index}\" tabindex=\"0\">{cells}</tr>\n")
         };
         let rows: String = self.rated.iter().enumerate().map(row).collect();
-        format!("<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>")
+        format!(
+            "<div class=\"scroll\"><table class=\"numbers\">\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>"
+        )
     }
 
     /// The page.
@@ -92,37 +99,31 @@ impl SweepPage<'_> {
     /// # Errors
     /// A picture cannot be read.
     pub fn html(&self) -> Result<String, LabError> {
-        let points: Vec<_> = self.rated.iter().zip(self.pictures()?).map(|(rated, pictures)| {
-            json!({ "name": rated.measured.point.name, "hint": hint(rated), "psnr": decibels(rated.measured.figures.psnr_db), "pictures": pictures })
-        }).collect();
-        let data = serde_json::to_string(&json!({ "truth": embedded(&self.truth.join(FRAME))?, "points": points }));
-        // What ends a script may not stand in one.
-        let data = data.expect("the page's data are JSON").replace("</", "<\\/");
+        let point = |(rated, pictures): (&Rated, Value)| {
+            let (name, psnr) = (&rated.measured.point.name, decibels(rated.measured.figures.psnr_db));
+            json!({ "name": name, "hint": hint(rated), "psnr": psnr, "is_on_front": rated.on_front, "pictures": pictures })
+        };
+        let points: Vec<_> = self.rated.iter().zip(self.pictures()?).map(point).collect();
+        let data = json!({ "truth": embedded(&self.truth.join(FRAME))?, "points": points });
         let advice: String = self.advice.iter().map(|line| format!("<li>{}</li>\n", escape(line))).collect();
-        let area = self.chart("Accuracy over area", "LUT4", Rated::lut4);
-        let time = self.chart("Accuracy over time", "ms a frame", |rated| rated.time_ms);
-        let parts = [
-            ("SCENE", escape(self.scene)),
-            ("LEGEND", escape(self.legend)),
-            ("ADVICE", advice),
-            ("TIME", time),
-            ("AREA", area),
-            ("TABLE", self.table()),
-            ("DATA", data),
+        let charts = [
+            self.chart("Accuracy over time", "ms a frame", |rated| rated.time_ms),
+            self.chart("Accuracy over area", "LUT4", Rated::lut4),
         ];
-        let mut html = String::new();
-        for piece in include_str!("page.html").split("{{") {
-            match piece.split_once("}}") {
-                Some((name, rest)) => {
-                    let part =
-                        parts.iter().find(|(part, _)| *part == name).expect("the page has parts of its own only");
-                    html += &part.1;
-                    html += rest;
-                }
-                None => html += piece,
-            }
-        }
-        Ok(html)
+        let points = "Points that nothing betters in accuracy, time and area together are filled, and named where there is room. \
+                      Point at any for its name, its settings and its pictures.";
+        let pictures = "<div id=\"panel\">\n<h3 id=\"name\"></h3>\n<div id=\"settings\"></div>\n<div class=\"pictures\">\n\
+            <figure><img id=\"truth\" alt=\"truth\"><figcaption>Truth: 16 samples a pixel in f64</figcaption></figure>\n\
+            <figure><img id=\"frame\" alt=\"frame\"><figcaption id=\"frame-caption\"></figcaption></figure>\n\
+            <figure><img id=\"difference\" alt=\"difference\"><figcaption>Difference, magnified 16 times</figcaption></figure>\n\
+            </div>\n</div>";
+        let page = Page::new(format!("{}: what accuracy costs", self.scene))
+            .style(include_str!("page.css"))
+            .section("What to choose", "The cheapest points for some accuracies.", &format!("<ul>\n{advice}</ul>"))
+            .section("What it costs", points, &format!("<div class=\"charts\">\n{}</div>", charts.concat()))
+            .section("The chosen point", "Its settings, its figures, and what it draws.", pictures)
+            .section("All points", self.legend, &self.table());
+        Ok(page.data("sweep", data).script(include_str!("page.js")).html())
     }
 }
 
@@ -150,12 +151,15 @@ mod tests {
         };
         let html = page.html().expect("the pictures are there");
         assert_eq!(html.matches("data:image/png;base64,").count(), 5);
-        assert_eq!((html.matches("<svg").count(), html.matches("<tr data-index").count()), (2, 2));
-        assert!(html.contains("a&lt;b") && html.contains("<li>take base</li>") && !html.contains("{{"));
+        assert_eq!(
+            (html.matches("<svg").count(), html.matches("<tr data-index").count()),
+            (4, 2),
+            "two charts of two sizes"
+        );
+        assert!(html.contains("a&lt;b") && html.contains("<li>take base</li>"));
         assert_eq!(html.matches("</script>").count(), 2, "names cannot end a script");
         for address in ["http://", "https://", "src=\"/", "@import"] {
-            let foreign = html.replace("http://www.w3.org/2000/svg", "");
-            assert!(!foreign.contains(address), "the page refers to {address}");
+            assert!(!html.contains(address), "the page refers to {address}");
         }
     }
 }
