@@ -86,6 +86,25 @@ fn results_of_two_runs_never_mix() {
 }
 
 #[test]
+fn the_page_of_a_run_has_its_figures_and_all_frames() {
+    let workplace = Workplace::new();
+    workplace.write("scene.toml", SCENE);
+    let run = ["run", "scene.toml", "--model", "golden", "--json", "--turntable", "3"];
+    let report = json(&workplace.succeeds(&run));
+    let folder = workplace.path().join("out/scene");
+    let page = fs::read_to_string(folder.join("index.html")).expect("the page is written");
+    for figure in [&report["cycles"], &report["samples"], &report["fates"]["drawn"], &report["fragments"]] {
+        assert!(page.contains(&format!("<dd>{figure}</dd>")), "{figure}");
+    }
+    for (index, frame) in report["sequence"].as_array().expect("there are three frames").iter().enumerate() {
+        assert!(page.contains(&format!("<tr><td>{index}</td><td>{}</td>", frame["cycles"])), "{frame}");
+    }
+    let sums = format!("\"sum\":{},", report["samples"]);
+    assert!(page.contains(&sums) && page.contains("the first of 3 frames") && !page.contains("://"));
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 4, "frame, reference, difference, animation");
+}
+
+#[test]
 fn an_interrupted_run_leaves_the_results_before_it() {
     let workplace = Workplace::new();
     let (folder, short) = (workplace.path().join("out/knn"), ["knn", "--points", "surface:100", "--model", "golden"]);

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use pointcore::splat::activity::{State, Unit};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
@@ -29,6 +30,28 @@ fn run(
     runner.lockstep(core, library)
 }
 
+/// What is seen in the streams between the units must come to what the hardware's events and its memory say.
+fn adds_up(SplatOutcome { activity, counters, simulated_cycles, .. }: &SplatOutcome) {
+    let (events, timeline) = (counters.events, activity.timeline());
+    let samples = activity.samples().expect("the model's units were seen");
+    assert_eq!(samples.evaluated().sum(), events.sample);
+    assert_eq!(samples.inside().sum(), events.accumulate);
+    assert_eq!(samples.hazards().sum(), events.hazard);
+    assert_eq!(timeline.cycles(), *simulated_cycles);
+    assert_eq!(timeline.total(Unit::Rasterizer, State::Held), events.blocked);
+    assert_eq!(timeline.total(Unit::Accumulator, State::Tile), events.slot_wait);
+}
+
+/// Hardware alone shows at its ports what the model shows there.
+fn is_seen_at_ports(alone: &SplatOutcome, lockstep: &SplatOutcome) {
+    let (alone, lockstep) = (&alone.activity, &lockstep.activity);
+    assert!(alone.samples().is_none() && alone.evictions() == lockstep.evictions());
+    for (unit, state) in Unit::AT_PORTS.into_iter().flat_map(|unit| State::ALL.map(|state| (unit, state))) {
+        let [alone, lockstep] = [alone, lockstep].map(|seen| seen.timeline().row(unit, state).collect::<Vec<_>>());
+        assert_eq!(alone, lockstep, "{unit:?} {state:?}");
+    }
+}
+
 #[test]
 fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
@@ -40,6 +63,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         for seed in seeds(RUNS).unwrap() {
             let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
             let outcome = outcome.unwrap_or_else(|error| panic!("{error}\nor {SEED_VARIABLE}={seed} with this test"));
+            adds_up(&outcome);
             let counters = &outcome.counters;
             assert!(counters.pixels_written > 1000 && counters.pixels_read > 1000, "seed {seed}: {counters:?}");
             let expected = expected.get_or_insert(outcome.fragments.clone());
@@ -53,6 +77,9 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
         let twice = run(&config, &frame, (&core, &library), Stall::Random(0.2), seed);
         let twice = twice.unwrap_or_else(|error| panic!("{error}"));
         assert!(twice.fragments == expected.repeat(2), "a frame leaves something behind");
+        let stall = Stall::Random(0.2);
+        let runner = SplatRunner { config: &config, frame: &frame, stall, seed, progress: &|_, _| {}, stop_after: None };
+        is_seen_at_ports(&runner.hardware(&library, None).unwrap_or_else(|error| panic!("{error}")), &twice);
     }
 }
 

@@ -135,7 +135,7 @@ fn a_page_has_the_figures_of_its_report() {
         assert!(html.contains(&crate::page::escape(&choice.reason)), "{}", choice.part);
     }
     assert!(
-        html.contains("magnified 256 times; the largest is 0.333 % of the range") && !html.contains("http"),
+        html.contains("magnified 256 times; the largest is 0.333 % of the range") && !html.contains("://"),
         "it needs nothing besides"
     );
 }
