@@ -1,7 +1,7 @@
 //! Where the names of a chart's points find room.
 
 /// Width of a letter of a name, rather more than it takes, and its height.
-pub(super) const LETTER: [f64; 2] = [6.4, 12.0];
+pub(super) const LETTER: [f64; 2] = [5.9, 12.0];
 /// Between a point and its name.
 pub(super) const GAP: f64 = 8.0;
 /// How far a name may lie from its point.

@@ -15,8 +15,15 @@
     for (const other of document.querySelectorAll("[data-index]")) {
       const chosen = other.dataset.index === String(index);
       other.classList.toggle("chosen", chosen);
-      // Its name lies over all others.
-      if (chosen && other instanceof SVGElement && other.nextElementSibling) other.parentNode.append(other);
+    }
+    // It lies over all others, and lets the pointer through to them.
+    document.querySelectorAll(".overlay").forEach((old) => old.remove());
+    for (const point of document.querySelectorAll("svg .chosen")) {
+      const overlay = point.cloneNode(true);
+      overlay.removeAttribute("data-index");
+      overlay.removeAttribute("tabindex");
+      overlay.classList.add("overlay");
+      point.parentNode.append(overlay);
     }
   };
   for (const point of document.querySelectorAll("[data-index]")) {

@@ -56,7 +56,7 @@ impl Layout {
     /// Counts by tile and the tile's pixel, as an image.
     fn by_pixel(&self, counts: &[u32]) -> Map {
         let place = |row: usize, column: usize| {
-            let tile = (row / SIZE) << self.column_bits | column / SIZE;
+            let tile = ((row / SIZE) << self.column_bits) + column / SIZE;
             tile * PIXELS + row % SIZE * SIZE + column % SIZE
         };
         let row = |row: usize| (0..self.columns).map(move |column| place(row, column));
