@@ -73,7 +73,7 @@ pub fn add(page: Page, activity: &Activity) -> Page {
          Each has a color scale of its own."
     } else {
         "Hardware without its golden model shows its ports alone: evictions are seen there. Samples, overdraw and hazards by place need \
-         the model: run with --model golden, or in lockstep, without --no-lockstep and --trace."
+         the model: run with --model golden, or in lockstep without a waveform."
     };
     let mut html = String::new();
     if activity.samples().is_some() {
