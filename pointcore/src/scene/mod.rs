@@ -14,6 +14,7 @@ pub(crate) mod model;
 pub mod neighbors;
 pub mod normals;
 mod object;
+mod reading;
 mod scan;
 mod settings;
 mod shapes;
