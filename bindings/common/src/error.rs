@@ -10,8 +10,9 @@ use pointcore::splat::RenderError;
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
 use std::any::Any;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::Path;
+use std::sync::Once;
 
 /// Whose fault it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +62,22 @@ impl std::error::Error for BindingError {}
 /// # Errors
 /// Those of `run`, and its panics. What a panic may have left half done is not to be used again.
 pub fn guarded<T>(run: impl FnOnce() -> Result<T, BindingError>) -> Result<T, BindingError> {
+    silence_readers();
     catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|payload| Err(panicked(payload.as_ref())))
+}
+
+/// Panics of readers of model files become errors, and are not spoken of twice. The library has a panic hook of its own: that of the
+/// program around it is another.
+fn silence_readers() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let hook = take_hook();
+        set_hook(Box::new(move |panic| {
+            if !pointcore::scene::is_guarded() {
+                hook(panic);
+            }
+        }));
+    });
 }
 
 fn panicked(payload: &(dyn Any + Send)) -> BindingError {
