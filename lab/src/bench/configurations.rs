@@ -49,7 +49,7 @@ const NAMED: [Named; 7] = [
     Named { name: "tiny", unit: None, workload: Workload::Frame("plane") },
     Named { name: "knn", unit: Some("search"), workload: Workload::Search { points: 100_000, neighbors: 10 } },
     Named { name: "upsample", unit: None, workload: Workload::Search { points: 100_000, neighbors: 10 } },
-    Named { name: "tiny_knn", unit: None, workload: Workload::Search { points: 500, neighbors: 8 } },
+    Named { name: "tiny_knn", unit: Some("tiny_knn"), workload: Workload::Search { points: 500, neighbors: 8 } },
 ];
 
 /// Cycles of a workload.
