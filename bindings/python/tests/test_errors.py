@@ -59,7 +59,7 @@ def test_settings_of_a_search(settings, message):
         ({"eye": (0, 0, 0), "target": (0, 0, 0)}, "camera"),
         ({"eye": (0, 0, 5), "direction": (0, 0, 1)}, "both given"),
         ({"target": (0, 0, 5)}, "go with an eye"),
-        ({"frames": 0}, "frames. are 0: expected 1"),
+        ({"frames": 0}, "is 0: expected 1 to 2000 frames"),
     ],
     ids=str,
 )
