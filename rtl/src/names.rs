@@ -1,5 +1,8 @@
 //! Names that Verilog, SystemVerilog readers of Verilog, and Verilator's C++ all take.
 
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
 use super::error::FaultKind;
 
 /// Words that are taken, in alphabetical order.
@@ -23,6 +26,8 @@ const RESERVED: &str = "\
     untyped use uwire var vectored virtual void volatile wait wait_order wand weak weak0 weak1 while wildcard wire \
     with within wor xnor xor";
 
+static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED.split_whitespace().collect());
+
 /// What speaks against a name, if anything.
 pub(super) fn fault(name: &str) -> Option<FaultKind> {
     let bad = |reason| Some(FaultKind::BadName { name: name.into(), reason });
@@ -33,7 +38,7 @@ pub(super) fn fault(name: &str) -> Option<FaultKind> {
     if name.contains("__") || name.ends_with('_') {
         return bad("doubled and final underscores are left to the tools");
     }
-    if RESERVED.split_whitespace().any(|word| word == name) {
+    if WORDS.contains(name) {
         return bad("it is a word of Verilog, SystemVerilog or C++, or an implicit port");
     }
     None
