@@ -94,7 +94,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
 
     let points = points(&mut m, config, core, control, abort);
     let tree = match config.tree_cache {
-        0 => tree_window(&mut m, config, core, control),
+        0 => tree_window(&mut m, config, core, control, abort),
         _ => tree_memory(&mut m, config, core, control, abort),
     };
     let quiet = m.wire("quiet", run.results_idle & (points.idle & tree.idle));
@@ -220,7 +220,7 @@ struct TreeSignals {
 }
 
 /// Lets the host write the tree.
-fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance) -> TreeSignals {
+fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance, abort: Abort) -> TreeSignals {
     let index_bits = units::window_index_bits(config);
     let window = m.instance("tree", window::module(index_bits));
     export(m, &TREE_WORD_BITS, (window, WINDOW.host), TOP.window);
@@ -231,7 +231,7 @@ fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instanc
     let busy = CONTROL.busy.word_of(m, control);
     WINDOW.locked.feed_word(m, window, busy);
     let occupied = WINDOW.occupied.word_of(m, window);
-    CONTROL.occupied.feed_word(m, control, occupied);
+    CONTROL.occupied.feed_word(m, control, occupied | abort.drops);
     let [refused_busy, burst] = [WINDOW.refused_busy, WINDOW.refused_burst].map(|port| port.word_of(m, window));
     TreeSignals { busy: Some(refused_busy), burst, memory: None, idle: bit(true) }
 }
@@ -241,7 +241,7 @@ fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instanc
     let bits = config.bus.memory_bits;
     let reads = m.instance("tree", reader::module::<TreeWord>(config, bits, 1));
     export(m, &bits, (reads, TREE.memory), TOP.tree);
-    CONTROL.occupied.feed_word(m, control, bit(false));
+    CONTROL.occupied.feed_word(m, control, abort.drops);
     let base = CONTROL.settings.of(m, config, control).tree_base;
     let lookup = PORTS.lookup.of(m, config, core);
     let stride_bits = packets::tree_stride(config, bits).ilog2();

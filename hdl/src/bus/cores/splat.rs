@@ -89,7 +89,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let quiet = m.wire("quiet", idle & all_came);
     let finished = abort.finished(&mut m, (has_ended & !start) & idle, quiet);
     CONTROL.finished.feed_word(&mut m, control, finished);
-    CONTROL.occupied.feed_word(&mut m, control, bit(false));
+    CONTROL.occupied.feed_word(&mut m, control, abort.drops);
 
     let [read_error, write_error] = [READS.error.word_of(&mut m, reads), WRITES.error.word_of(&mut m, writes)];
     let errors = ErrorInputs {
