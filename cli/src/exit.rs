@@ -5,6 +5,7 @@ use crate::commands::Failure;
 use pointcore::search::SearchError;
 use pointcore::vectors::VectorsError;
 use pointcore_lab::LabError;
+use pointcore_lab::mutation::MutationError;
 use pointcore_lab::synthesis::SynthesisError;
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
@@ -80,7 +81,9 @@ const fn lab(error: &LabError) -> u8 {
         LabError::Verilated(error) => verilated(error),
         LabError::Search(error) => search(error),
         LabError::Synthesis(SynthesisError::TooLarge { .. }) => INPUT,
-        LabError::Generate(_) | LabError::Synthesis(_) => TOOL,
+        LabError::Mutation(MutationError::Baseline { .. }) => DISAGREEMENT,
+        LabError::Mutation(MutationError::Unknown { .. } | MutationError::Configuration(_)) => INPUT,
+        LabError::Generate(_) | LabError::Synthesis(_) | LabError::Mutation(_) => TOOL,
         LabError::Scene(_)
         | LabError::Plan(_)
         | LabError::Configuration(_)

@@ -5,7 +5,7 @@ mod exit;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use commands::{
-    Failure, accuracy, area, bench, diagram, generate, inspect, knn, plan, run, stability, translate, vectors,
+    Failure, accuracy, area, bench, diagram, generate, inspect, knn, mutate, plan, run, stability, translate, vectors,
 };
 use pointcore_lab::note;
 use std::process::ExitCode;
@@ -59,6 +59,11 @@ enum Command {
     Bench(bench::Arguments),
     /// Check the arithmetic of the renderer's geometry on hard cases, beside an exact truth and other methods (docs/stability.md).
     Stability(stability::Arguments),
+    /// Plant single faults in the generated Verilog, and count those that the tests find.
+    ///
+    /// Faults are yosys' mutations of the netlist. A unit's are tried by its lockstep tests, a package's by the test that ships with
+    /// it. Of those that are missed, a proof sorts out the ones that change nothing. Run it in the project's folder.
+    Mutate(mutate::Arguments),
     /// Sweep the knobs that trade accuracy for time and hardware, and find the cheapest configuration that is accurate enough (docs/accuracy.md).
     Accuracy(Box<accuracy::Arguments>),
     /// Measure area and clock of units on FPGA tools.
@@ -106,6 +111,7 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
         Command::Stability(arguments) => stability::run(&arguments, output),
+        Command::Mutate(arguments) => mutate::run(&arguments, output),
         Command::Accuracy(arguments) => accuracy::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
         Command::Translate(arguments) => translate::run(&arguments),

@@ -1,5 +1,6 @@
 //! Why something could not be measured.
 
+use crate::mutation::MutationError;
 use crate::synthesis::SynthesisError;
 use pointcore::configuration::ConfigurationError;
 use pointcore::cost::CostError;
@@ -44,6 +45,9 @@ pub enum LabError {
     /// Synthesis, place and route.
     #[error(transparent)]
     Synthesis(#[from] SynthesisError),
+    /// Mutants of the Verilog.
+    #[error(transparent)]
+    Mutation(#[from] MutationError),
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),

@@ -7,6 +7,8 @@ pub mod diagram;
 mod error;
 pub mod float_check;
 pub mod front;
+pub mod marks;
+pub mod mutation;
 pub mod note;
 pub mod operands;
 pub mod stability;

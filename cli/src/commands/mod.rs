@@ -8,6 +8,7 @@ pub mod diagram;
 pub mod generate;
 pub mod inspect;
 pub mod knn;
+pub mod mutate;
 pub mod numbers;
 pub mod output;
 pub mod plan;

@@ -35,7 +35,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use steps::watched;
 use target::{Device, routing_settings};
-use tools::Tool;
+pub(crate) use tools::Tool;
 
 /// A unit's area and clock.
 #[derive(Clone, Debug, Serialize)]

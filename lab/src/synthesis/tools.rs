@@ -15,7 +15,7 @@ const LAST_LINES: usize = 12;
 
 /// A program that answered and is new enough.
 #[derive(Clone, Debug)]
-pub(super) struct Tool {
+pub(crate) struct Tool {
     program: PathBuf,
     /// What it says of its version; part of every key.
     pub description: String,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::failure::Waveform;
 use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
 use crate::cache::kept;
-use crate::verilated::{Library, VerilatedError};
+use crate::verilated::{Library, VerilatedError, substitute};
 
 /// Where and how a run failed.
 pub struct Replay<'a> {
@@ -28,6 +28,9 @@ impl Replay<'_> {
 
     fn record(&self, mut stimulus: impl Stimulus) -> Result<Waveform, VerilatedError> {
         let path = self.path()?;
+        if substitute::are_asked_for() {
+            return Err(VerilatedError::Waveform { path, reason: "substitutes are run without" });
+        }
         let mut model = self.library.traced()?.instantiate(self.seed);
         let mut inputs = self.library.reset_inputs();
         let mut outputs = vec![0; self.library.outputs().len()];

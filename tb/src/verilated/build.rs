@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::model::Library;
 use super::shim::{self, MODEL_CLASS};
+use super::substitute;
 use super::{BuildOptions, Optimization, Trace, VerilatedError, VerilogSource};
 use crate::cache::{Cache, file, key};
 use crate::toolchain::Toolchain;
@@ -84,6 +85,8 @@ impl Builder {
         options: BuildOptions,
     ) -> Result<Arc<Library>, VerilatedError> {
         check_ports(source)?;
+        let substitute = substitute::of(source)?;
+        let source = substitute.as_ref();
         let shim = shim::generate(source, options.trace);
         let key = self.key(&[&source.verilog, &source.top, &shim, RUNTIME_HEADER, RUNTIME_SOURCE], options);
         let entry = self.cache.entry(&key, |content| {

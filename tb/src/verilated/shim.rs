@@ -124,6 +124,19 @@ struct Seeded {
 };
 ";
 
+/// The line of [`BEGINNING`] after which an instance's context can be set up further.
+const CONTEXT_SETUP: &str = "context.traceEverOn(true);";
+
+/// Hands the model what it asks for by `$value$plusargs`: the one argument that the environment has for it.
+const PLUSARGS: &str = r#"
+static inline void set_plusargs(VerilatedContext& context) {
+    if (const char* argument = std::getenv("POINTCORE_PLUSARG")) {
+        const char* arguments[] = {"model", argument};
+        context.commandArgs(2, arguments);
+    }
+}
+"#;
+
 /// The shim of `source`, to be compiled in one unit with the generated model.
 pub fn generate(source: &VerilogSource, trace: super::Trace) -> String {
     let inputs = ports(source, Direction::Input);
@@ -133,7 +146,12 @@ pub fn generate(source: &VerilogSource, trace: super::Trace) -> String {
     if trace == super::Trace::On {
         text += "#include \"verilated_fst_c.h\"\n";
     }
-    text += BEGINNING;
+    if source.verilog.contains("$value$plusargs") {
+        text += PLUSARGS;
+        text += &BEGINNING.replace(CONTEXT_SETUP, &format!("{CONTEXT_SETUP}\n        set_plusargs(context);"));
+    } else {
+        text += BEGINNING;
+    }
     text += match trace {
         super::Trace::On => TRACED_INSTANCE,
         super::Trace::Off => PLAIN_INSTANCE,

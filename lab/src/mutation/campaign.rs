@@ -1,0 +1,187 @@
+//! Mutants of some designs, each tried by the tests that build its design.
+
+use super::MutationError;
+use super::equivalence::{self, Proof};
+use super::process::Verdict;
+use super::schemata::Schemata;
+use crate::synthesis::Tool;
+use pointcore_tb::cache::{file, key};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// How much longer than without a mutant a test may take, and what it may take at least.
+const PATIENCE: u32 = 5;
+const SHORTEST_LIMIT: Duration = Duration::from_secs(20);
+/// What a test may take without a mutant, its builds included, and from then on.
+const BUILD_LIMIT: Duration = Duration::from_secs(3600);
+const LIMIT: Duration = Duration::from_secs(600);
+
+/// How mutants are chosen and tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// Mutants of a unit or package.
+    pub mutants: usize,
+    /// Seed of their choice.
+    pub seed: u64,
+    /// Tests at a time.
+    pub jobs: usize,
+    /// Seconds for the proof that a mutant which was missed changes nothing.
+    pub proof_seconds: u32,
+}
+
+/// What came of the mutants of a unit or package.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Score {
+    /// The unit or package.
+    pub name: String,
+    /// Mutants that were tried.
+    pub mutants: usize,
+    /// Those that the tests found.
+    pub found: usize,
+    /// Those that provably change no output.
+    pub equivalent: usize,
+    /// The others, as yosys' commands.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missed: Vec<String>,
+    /// Hash of the Verilog that was mutated.
+    pub source: String,
+}
+
+impl Score {
+    /// Found, of those that change something, in percent.
+    #[must_use]
+    pub fn percent(&self) -> f64 {
+        100.0 * self.found as f64 / (self.mutants - self.equivalent).max(1) as f64
+    }
+}
+
+/// Something happened to a mutant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// So many will be tried.
+    Listed(usize),
+    /// One was tried.
+    Tried,
+    /// So many that were missed are now to be proved equivalent.
+    Missed(usize),
+    /// One was judged by the prover.
+    Judged,
+}
+
+/// A design, and the tests that build it.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// The modules that are mutated.
+    pub verilog: String,
+    /// Other modules of the design.
+    pub others: String,
+    /// Its top module.
+    pub top: String,
+    /// The tests.
+    pub tests: Vec<String>,
+    /// Where the tests find what is built in its place.
+    pub substitute: PathBuf,
+}
+
+/// A mutant of a subject.
+struct Mutant<'a> {
+    subject: &'a Subject,
+    number: u32,
+    mutation: String,
+}
+
+/// The tools, and how they are used.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    yosys: Tool,
+    settings: Settings,
+}
+
+impl Campaign {
+    /// With yosys as it is installed.
+    ///
+    /// # Errors
+    /// There is none, or none that is new enough.
+    pub fn new(settings: Settings) -> Result<Self, MutationError> {
+        Ok(Self { yosys: Tool::yosys()?, settings })
+    }
+
+    /// Tries mutants of `subjects` by `run`, which is given tests, a number and a limit.
+    pub(super) fn run(
+        &self,
+        name: &str,
+        subjects: &[Subject],
+        folder: &Path,
+        run: impl Fn(&[String], u32, Duration) -> Result<Verdict, MutationError> + Sync,
+        progress: &(dyn Fn(Event) + Sync),
+    ) -> Result<Score, MutationError> {
+        let mutants = self.mutants(subjects, folder)?;
+        progress(Event::Listed(mutants.len()));
+        let mut tests: Vec<_> = subjects.iter().flat_map(|subject| subject.tests.clone()).collect();
+        tests.sort();
+        tests.dedup();
+        // The first run without a mutant builds, the second is timed.
+        let mut duration = Duration::ZERO;
+        for limit in [BUILD_LIMIT, LIMIT] {
+            let begin = Instant::now();
+            let verdict = run(&tests, 0, limit)?;
+            if verdict.is_found() {
+                return Err(MutationError::Baseline { name: name.to_owned(), output: format!("{verdict:?}") });
+            }
+            duration = begin.elapsed();
+        }
+        let limit = SHORTEST_LIMIT.max(PATIENCE * duration);
+        let try_one = |mutant: &Mutant<'_>| {
+            let verdict = run(&mutant.subject.tests, mutant.number, limit)?;
+            progress(Event::Tried);
+            Ok(verdict.is_found())
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.settings.jobs).build();
+        let pool =
+            pool.map_err(|error| MutationError::Program { program: "rayon".into(), output: error.to_string() })?;
+        let found: Result<Vec<bool>, MutationError> = pool.install(|| mutants.par_iter().map(try_one).collect());
+        let found = found?;
+        let missed: Vec<_> =
+            mutants.iter().zip(&found).filter(|(_, found)| !**found).map(|(mutant, _)| mutant).collect();
+        progress(Event::Missed(missed.len()));
+        let judge = |mutant: &&Mutant<'_>| {
+            let proof = equivalence::prove(&self.yosys, mutant.subject, &mutant.mutation, self.settings.proof_seconds);
+            progress(Event::Judged);
+            proof
+        };
+        let proofs: Result<Vec<Proof>, MutationError> = pool.install(|| missed.par_iter().map(judge).collect());
+        let proofs = proofs?;
+        let describe =
+            |mutant: &Mutant<'_>, proof: &Proof| format!("{}: {} ({proof})", mutant.subject.top, mutant.mutation);
+        let left = missed.iter().zip(&proofs).filter(|(_, proof)| **proof != Proof::Equivalent);
+        Ok(Score {
+            name: name.to_owned(),
+            mutants: mutants.len(),
+            found: found.iter().filter(|found| **found).count(),
+            equivalent: proofs.iter().filter(|proof| **proof == Proof::Equivalent).count(),
+            missed: left.map(|(mutant, proof)| describe(mutant, proof)).collect(),
+            source: key(subjects.iter().map(|subject| subject.verilog.as_str()))[..16].to_owned(),
+        })
+    }
+
+    /// Mutants of all subjects, in their substitutes: each has its share.
+    fn mutants<'a>(&self, subjects: &'a [Subject], folder: &Path) -> Result<Vec<Mutant<'a>>, MutationError> {
+        let mut mutants: Vec<Mutant<'a>> = Vec::new();
+        for (index, subject) in subjects.iter().enumerate() {
+            let share = (self.settings.mutants - mutants.len()).div_ceil(subjects.len() - index);
+            if share == 0 {
+                continue;
+            }
+            let first = mutants.len() as u32 + 1;
+            let schemata = Schemata::new(&self.yosys, folder, subject, share, self.settings.seed, first)?;
+            fs::write(&subject.substitute, &schemata.verilog).map_err(file("write", &subject.substitute))?;
+            let numbered = (first..).zip(schemata.mutations);
+            mutants.extend(numbered.map(|(number, mutation)| Mutant { subject, number, mutation }));
+        }
+        Ok(mutants)
+    }
+}

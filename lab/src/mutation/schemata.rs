@@ -1,0 +1,91 @@
+//! All mutants of a design in one text, chosen by a number.
+
+use super::MutationError;
+use super::campaign::Subject;
+use crate::synthesis::Tool;
+use pointcore_tb::cache::file;
+use std::fs;
+use std::path::Path;
+
+/// The signal that chooses a mutant, and its bits; no mutant has the number 0.
+const CHOICE: &str = "mutant";
+const CHOICE_BITS: u32 = 16;
+
+/// What brings a design to the netlist whose bits are mutated. Names of cells follow from it.
+pub const NETLIST: &str = "proc\nopt_expr -keepdc\nopt_clean\n";
+
+/// Warnings that a netlist written as Verilog earns: it is wide where it need not be, and mutants confuse bits of a word.
+const LINT: &str = "WIDTH UNUSED UNDRIVEN UNOPTFLAT PINMISSING CASEINCOMPLETE CASEOVERLAP CMPCONST UNSIGNED \
+    VARHIDDEN DECLFILENAME BLKSEQ INITIALDLY EOFNEWLINE";
+
+/// A design with its mutants.
+#[derive(Clone, Debug)]
+pub struct Schemata {
+    /// The text: `+mutant=NUMBER` on the simulator's command line chooses.
+    pub verilog: String,
+    /// yosys' commands that make the mutants, without the choice; the numbers count up from the first.
+    pub mutations: Vec<String>,
+}
+
+impl Schemata {
+    /// `count` mutants of the subject, numbered from `first` on. The folder is for yosys.
+    pub fn new(
+        yosys: &Tool,
+        folder: &Path,
+        subject: &Subject,
+        count: usize,
+        seed: u64,
+        first: u32,
+    ) -> Result<Self, MutationError> {
+        let top = &subject.top;
+        for (name, text) in [("source.v", &subject.verilog), ("library.v", &subject.others)] {
+            let path = folder.join(name);
+            fs::write(&path, text).map_err(file("write", &path))?;
+        }
+        let script = format!(
+            "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}\
+             mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations\n\
+             script mutations\ndelete -port {top}/{CHOICE}\nwrite_verilog -noattr -norename mutated.v\n"
+        );
+        let path = folder.join("mutate.ys");
+        fs::write(&path, script).map_err(file("write", &path))?;
+        yosys.run(top, folder, &["-q", "mutate.ys"])?;
+        let read = |name: &str| {
+            let path = folder.join(name);
+            fs::read_to_string(&path).map_err(file("read", &path))
+        };
+        let choose = format!("-ctrl {CHOICE} {CHOICE_BITS} ");
+        let plain = |line: &str| match line.split_once(&choose) {
+            Some((command, rest)) => command.to_owned() + rest.split_once(' ').map_or("", |(_, rest)| rest),
+            None => line.to_owned(),
+        };
+        let mutations = read("mutations")?.lines().map(plain).collect();
+        Ok(Self { verilog: chosen_by_argument(&read("mutated.v")?, top), mutations })
+    }
+}
+
+/// The text with the choice, which nothing drives, read from the simulator's command line.
+fn chosen_by_argument(netlist: &str, top: &str) -> String {
+    let wire = format!("  wire [{}:0] {CHOICE};\n", CHOICE_BITS - 1);
+    let variable = format!(
+        "  reg [{}:0] {CHOICE};\n  initial if (!$value$plusargs(\"{CHOICE}=%d\", {CHOICE})) {CHOICE} = 0;\n",
+        CHOICE_BITS - 1
+    );
+    let begin = netlist.find(&format!("module {top}(")).unwrap_or(0);
+    let (before, module) = netlist.split_at(begin);
+    let lint: String = LINT.split_whitespace().map(|rule| format!("/* verilator lint_off {rule} */\n")).collect();
+    format!("{lint}{before}{}", module.replacen(&wire, &variable, 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_top_reads_the_command_line() {
+        let netlist = "module a(mutant);\n  wire [15:0] mutant;\nendmodule\nmodule top(x);\n  wire [15:0] mutant;\n";
+        let text = chosen_by_argument(netlist, "top");
+        assert!(text.contains("module a(mutant);\n  wire [15:0] mutant;"), "{text}");
+        assert!(text.contains("module top(x);\n  reg [15:0] mutant;\n  initial if (!$value$plusargs("), "{text}");
+    }
+}

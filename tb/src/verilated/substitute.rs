@@ -1,0 +1,81 @@
+//! Other Verilog in the place of a source, where the environment asks for it: tests run changed hardware without knowing of it.
+//!
+//! Mutation testing is made of this: it finds out which sources a test builds, and has the test run again with a mutant of one.
+
+use std::borrow::Cow;
+use std::fs::{self, OpenOptions};
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+use std::thread;
+
+use super::{VerilatedError, VerilogSource};
+use crate::cache::{file, key};
+
+/// The variable that names the folder of substitutes.
+///
+/// `<digest>.v` in it is verilated in the place of the source with that digest. A source without one is written to
+/// `<digest>.original`, and a line of [`USES`] says who builds it.
+pub const VARIABLE: &str = "POINTCORE_SUBSTITUTES";
+
+/// File of the folder with a line a build: the source's digest, its top module, and the thread, which a test gives its name.
+pub const USES: &str = "uses";
+
+/// Ending of a source as it is, beside its digest.
+pub const ORIGINAL: &str = "original";
+
+/// What of a source counts: its text and which module is the top.
+#[must_use]
+pub fn digest(verilog: &str, top: &str) -> String {
+    key([verilog, top])[..16].to_owned()
+}
+
+/// Whether the environment names a folder.
+#[must_use]
+pub fn are_asked_for() -> bool {
+    std::env::var_os(VARIABLE).is_some()
+}
+
+/// The source that is to be built.
+pub(super) fn of(source: &VerilogSource) -> Result<Cow<'_, VerilogSource>, VerilatedError> {
+    match std::env::var_os(VARIABLE) {
+        Some(folder) => within(source, Path::new(&folder)),
+        None => Ok(Cow::Borrowed(source)),
+    }
+}
+
+fn within<'a>(source: &'a VerilogSource, folder: &Path) -> Result<Cow<'a, VerilogSource>, VerilatedError> {
+    let digest = digest(&source.verilog, &source.top);
+    let path = folder.join(format!("{digest}.v"));
+    match fs::read_to_string(&path) {
+        Ok(verilog) => return Ok(Cow::Owned(VerilogSource { verilog, ..source.clone() })),
+        Err(error) if error.kind() == ErrorKind::NotFound => {}
+        Err(error) => return Err(file("read", &path)(error).into()),
+    }
+    let original = folder.join(format!("{digest}.{ORIGINAL}"));
+    fs::write(&original, &source.verilog).map_err(file("write", &original))?;
+    let uses = folder.join(USES);
+    let line = format!("{digest} {} {}\n", source.top, thread::current().name().unwrap_or("-"));
+    let appended = OpenOptions::new().create(true).append(true).open(&uses);
+    appended.and_then(|mut opened| opened.write_all(line.as_bytes())).map_err(file("write", &uses))?;
+    Ok(Cow::Borrowed(source))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_source_is_told_of_until_it_has_a_substitute() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let source =
+            VerilogSource { verilog: "module a;".into(), top: "a".into(), ports: Vec::new(), streams: Vec::new() };
+        let built = |source| within(source, folder.path()).unwrap_or_else(|error| panic!("{error}")).into_owned();
+        assert_eq!(built(&source), source);
+        let digest = digest("module a;", "a");
+        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap_or_default();
+        assert_eq!(read(&format!("{digest}.{ORIGINAL}")), source.verilog);
+        assert!(read(USES).starts_with(&format!("{digest} a ")), "{}", read(USES));
+        fs::write(folder.path().join(format!("{digest}.v")), "module a; wire b;").expect("it can be written");
+        assert_eq!(built(&source).verilog, "module a; wire b;");
+    }
+}
