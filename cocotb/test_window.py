@@ -12,6 +12,8 @@ from searcher import LONGEST_BURST, WORD_BYTES, Searcher
 
 IDS = 16
 WRONG = 0xDEAD_BEEF_DEAD_BEEF
+# What AXI gives a slave at least.
+RANGE_BYTES = 4096
 NARROW_SIZE = 2
 
 
@@ -37,6 +39,11 @@ class WindowHost(Searcher):
             yield Burst(begin, words)
             begin += WORD_BYTES * len(words)
 
+    def beyond(self) -> list[int]:
+        """Addresses beyond the window, where it does not fill the range that it has."""
+        end = len(self.tree)
+        return [place for place in (end, 2 * end, RANGE_BYTES - 2 * WORD_BYTES) if end <= place < RANGE_BYTES]
+
     def refused_bursts(self) -> list[Burst]:
         """Bursts that a window refuses, whole or in a beat; what it would write otherwise spoils the tree."""
         end = len(self.tree)
@@ -49,6 +56,7 @@ class WindowHost(Searcher):
             Burst(WORD_BYTES // 2, [WRONG] * 2),
             Burst(end - WORD_BYTES, [WRONG] * 2),
             Burst(end - WORD_BYTES, [WRONG] * 256),
+            *(Burst(beyond, [WRONG] * 2) for beyond in self.beyond()),
             Burst(0, [right[0], WRONG, right[2], WRONG], strobes={1: 0x7F, 3: 0}),
             Burst(0, [WRONG], strobes={0: 0xF0}),
             Burst(0, [right[0], WRONG, *right[2:]], misplaced=frozenset([1])),

@@ -8,7 +8,7 @@ module proof (input clk);
     always @(posedge clk) rst <= 0;
 
     (* anyseq *) reg s_axi_awvalid, s_axi_wvalid, s_axi_wlast, s_axi_bready, s_axi_arvalid, s_axi_rready, locked;
-    (* anyseq *) reg [31:0] s_axi_awaddr, s_axi_araddr;
+    (* anyseq *) reg [ADDRESS_BITS-1:0] s_axi_awaddr, s_axi_araddr;
     (* anyseq *) reg [7:0] s_axi_awlen, s_axi_arlen;
     (* anyseq *) reg [2:0] s_axi_awsize, s_axi_arsize;
     (* anyseq *) reg [1:0] s_axi_awburst, s_axi_arburst;
@@ -30,11 +30,11 @@ module proof (input clk);
     wire answered = s_axi_bvalid && s_axi_bready;
     wire asked = s_axi_arvalid && s_axi_arready;
     wire read_beat = s_axi_rvalid && s_axi_rready;
-    axi_channel #(.WIDTH(32 + 8 + 3 + 2 + 4)) addresses (
+    axi_channel #(.WIDTH(ADDRESS_BITS + 8 + 3 + 2 + 4)) addresses (
         clk, rst, s_axi_awvalid, s_axi_awready, {s_axi_awaddr, s_axi_awlen, s_axi_awsize, s_axi_awburst, s_axi_awid}
     );
     axi_channel #(.WIDTH(64 + 8 + 1)) data (clk, rst, s_axi_wvalid, s_axi_wready, {s_axi_wdata, s_axi_wstrb, s_axi_wlast});
-    axi_channel #(.WIDTH(32 + 8 + 3 + 2 + 4)) read_addresses (
+    axi_channel #(.WIDTH(ADDRESS_BITS + 8 + 3 + 2 + 4)) read_addresses (
         clk, rst, s_axi_arvalid, s_axi_arready, {s_axi_araddr, s_axi_arlen, s_axi_arsize, s_axi_arburst, s_axi_arid}
     );
     axi_channel #(.OURS(1), .WIDTH(6)) answers (clk, rst, s_axi_bvalid, s_axi_bready, {s_axi_bid, s_axi_bresp});
@@ -62,7 +62,7 @@ module proof (input clk);
     reg [28:0] index;
     wire last_beat = beat && left == 1;
     axi_write_answers #(.OURS(1)) writes (clk, rst, addressed, last_beat, s_axi_bvalid, answered, open_addresses, open_ends);
-    wire [INDEX_BITS-1:0] first = s_axi_awaddr >> 3;
+    wire [31:0] first = s_axi_awaddr >> 3;
     wire fits = s_axi_awburst == 2'b01 && s_axi_awsize == 3 && s_axi_awaddr[2:0] == 0 && first + s_axi_awlen < (1 << INDEX_BITS);
     wire sound = &s_axi_wstrb && s_axi_wlast == (left == 1);
     // A beat is taken two cycles after the address at the earliest: whether the window was locked is known.

@@ -35,7 +35,7 @@ module search_axi (
     input  wire m_axi_rlast,  // Closes its burst.
     input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [17:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
@@ -48,7 +48,7 @@ module search_axi (
     output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
     input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [17:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
@@ -250,7 +250,7 @@ module bus_window (
     input  wire locked,  // Nothing may be written.
     input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [17:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
@@ -268,7 +268,7 @@ module bus_window (
     output wire occupied,  // A burst is being written.
     input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [17:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
@@ -355,7 +355,7 @@ module bus_window (
         end
     end
 
-    wire _unused = &{1'b0, index_plus_left[14:0], s_axi_araddr, s_axi_arburst, s_axi_arsize, s_axi_awaddr[31:18]};
+    wire _unused = &{1'b0, index_plus_left[14:0], s_axi_araddr, s_axi_arburst, s_axi_arsize};
 endmodule
 
 // Queue in a memory with a registered output.

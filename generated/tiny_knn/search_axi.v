@@ -35,7 +35,7 @@ module search_axi (
     input  wire m_axi_rlast,  // Closes its burst.
     input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [11:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
@@ -48,7 +48,7 @@ module search_axi (
     output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
     input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [11:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
@@ -239,7 +239,7 @@ module bus_window (
     input  wire locked,  // Nothing may be written.
     input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
     input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_awaddr,  // Its first byte.
+    input  wire [11:0] s_axi_awaddr,  // Its first byte.
     input  wire [7:0] s_axi_awlen,  // One less than its beats.
     input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
@@ -257,7 +257,7 @@ module bus_window (
     output wire occupied,  // A burst is being written.
     input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
     input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
-    input  wire [31:0] s_axi_araddr,  // Its first byte.
+    input  wire [11:0] s_axi_araddr,  // Its first byte.
     input  wire [7:0] s_axi_arlen,  // One less than its beats.
     input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
     input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
@@ -282,6 +282,7 @@ module bus_window (
     wire takes = takes_words & s_axi_wvalid;
     wire at_end = left == 8'd0;
     wire ends = takes & at_end;
+    wire is_plain_both = (s_axi_awburst == 2'd1) & (s_axi_awsize == 3'd3) & (s_axi_awaddr[2:0] == 3'd0);
     wire begins_or_takes = begins | takes;
     wire [8:0] index_plus_left = {2'd0, index} + {1'd0, left};
     wire fits = is_plain & (index_plus_left[8:7] == 2'd0);
@@ -324,7 +325,7 @@ module bus_window (
     always @(posedge clk) begin
         if (begins) begin
             s_axi_bid <= s_axi_awid;
-            is_plain <= (s_axi_awburst == 2'd1) & (s_axi_awsize == 3'd3) & (s_axi_awaddr[2:0] == 3'd0);
+            is_plain <= is_plain_both & (s_axi_awaddr[11:10] == 2'd0);
         end
         if (begins_or_takes) begin
             index <= begins ? s_axi_awaddr[9:3] : (index + 7'd1);
@@ -344,7 +345,7 @@ module bus_window (
         end
     end
 
-    wire _unused = &{1'b0, index_plus_left[6:0], s_axi_araddr, s_axi_arburst, s_axi_arsize, s_axi_awaddr[31:10]};
+    wire _unused = &{1'b0, index_plus_left[6:0], s_axi_araddr, s_axi_arburst, s_axi_arsize};
 endmodule
 
 // Queue in a memory with a registered output.

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::bus::axi::BurstAddress;
+use pointcore_contract::bus::config::ADDRESS_BITS;
 use pointcore_contract::bus::units::ReadRequest;
 use pointcore_contract::bus::units::reader::Ports;
 use pointcore_contract::search::records::Points;
@@ -61,7 +62,7 @@ fn exchange<R: Record<Domain = Words> + PartialEq>(
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [asks, addresses, answers, taken] = <[Stalls; 4]>::try_from(patterns).unwrap();
     let mut request = Feed::new(&bench, ports.request, &records_max, &mut random, asks);
-    let mut address = Drain::new(&bench, ports.memory.address, &(), addresses);
+    let mut address = Drain::new(&bench, ports.memory.address, &ADDRESS_BITS, addresses);
     let mut data = Feed::new(&bench, ports.memory.data, &memory_bits, &mut random, answers);
     let mut record = Drain::new(&bench, ports.record, config, taken);
 
@@ -102,7 +103,7 @@ fn exchange<R: Record<Domain = Words> + PartialEq>(
             let Burst { address: first, beats } = bursts.pop_front().expect("no more bursts than asked for");
             let (length, size) = ((beats - 1) as u8, beat_bytes.ilog2() as u8);
             let expected = BurstAddress { id: 0, address: first, length, size, burst: INCREMENTING };
-            assert_eq!(read::<BurstAddress>(&(), &burst), expected, "cycle {}", bench.cycle);
+            assert_eq!(read::<BurstAddress>(&ADDRESS_BITS, &burst), expected, "cycle {}", bench.cycle);
             assert_eq!(
                 first / BORDER_BYTES,
                 (first + beats * beat_bytes - 1) / BORDER_BYTES,

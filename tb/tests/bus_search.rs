@@ -2,6 +2,7 @@
 
 use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
 use pointcore_contract::bus::units::search_axi::Ports;
+use pointcore_contract::bus::units::{window_bits, window_index_bits};
 use pointcore_contract::bus::{Config as Widths, Layout, packets};
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
@@ -56,7 +57,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         packets: (TOP.queries, TOP.results),
         reads: reads.collect(),
         writes: None,
-        window: has_window.then_some(TOP.window),
+        window: has_window.then(|| (TOP.window, window_bits(window_index_bits(config)))),
         memory: MEMORY_BYTES,
         memory_order: MemoryOrder::Any,
     };

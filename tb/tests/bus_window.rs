@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use pointcore_contract::bus::axi::{BurstAddress, ReadBeat, Slave, WriteAnswer, WriteBeat};
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::units::window::Ports;
+use pointcore_contract::bus::units::window_bits;
 use pointcore_contract::words;
 use pointcore_golden::bus::Window;
 use pointcore_golden::bus::window::Outcome;
@@ -18,7 +19,7 @@ const OKAY: u8 = 0;
 const SLAVE_ERROR: u8 = 2;
 const HOST: Slave = Ports::ALL.host;
 
-/// Mostly what is accepted.
+/// Mostly what is accepted; of the others some begin beyond the window, just behind its end or anywhere in the range of addresses.
 fn address(index_bits: u32, random: &mut fastrand::Rng) -> BurstAddress {
     let inside = random.u32(..1 << index_bits) * 8;
     let longest = if random.bool() { 4 } else { 32 };
@@ -26,9 +27,12 @@ fn address(index_bits: u32, random: &mut fastrand::Rng) -> BurstAddress {
     let length =
         if random.u8(..3) > 0 { length.min(((1 << index_bits) - 1 - inside / 8).min(255) as u8) } else { length };
     let id = random.u8(..16);
-    let mut chosen = BurstAddress { id, address: inside | random.u32(..) << (index_bits + 3), length, size: 3, burst: 1 };
+    let mut chosen = BurstAddress { id, address: inside, length, size: 3, burst: 1 };
+    let (end, range) = (8 << index_bits, 1 << window_bits(index_bits).address);
     match random.u8(..12) {
         0 => chosen.address |= random.u32(1..8),
+        3 if end < range => chosen.address = end,
+        4 if end < range => chosen.address = random.u32(end / 8..range / 8) * 8,
         1 => chosen.size = random.u8(..3),
         2 => chosen.burst = [0, 2, 3][random.usize(..3)],
         _ => {}
@@ -70,10 +74,11 @@ fn exchange(index_bits: u32, seed: u64) {
     let mut bench = Bench::new(window::module(index_bits), seed);
     let patterns: Vec<Stalls> = (0..5).map(|_| stalls(&mut random)).collect();
     let [a, w, b, ar, r] = <[Stalls; 5]>::try_from(patterns).unwrap();
-    let mut address_feed = Feed::new(&bench, HOST.write_address, &(), &mut random, a);
+    let address_bits = window_bits(index_bits).address;
+    let mut address_feed = Feed::new(&bench, HOST.write_address, &address_bits, &mut random, a);
     let mut data = Feed::new(&bench, HOST.write_data, &TREE_WORD_BITS, &mut random, w);
     let mut answer = Drain::new(&bench, HOST.write_answer, &(), b);
-    let mut read_address = Feed::new(&bench, HOST.read_address, &(), &mut random, ar);
+    let mut read_address = Feed::new(&bench, HOST.read_address, &address_bits, &mut random, ar);
     let mut read_data = Drain::new(&bench, HOST.read_data, &TREE_WORD_BITS, r);
 
     let model = Window::new(index_bits);
@@ -81,13 +86,15 @@ fn exchange(index_bits: u32, seed: u64) {
     for _ in 0..BURSTS {
         let [to, from] = [(); 2].map(|()| address(index_bits, &mut random));
         let beats = beats(to.length, &mut random);
-        address_feed.items.push_back(words(&(), to));
+        address_feed.items.push_back(words(&address_bits, to));
         data.items.extend(beats.iter().map(|beat| words(&TREE_WORD_BITS, *beat)));
         bursts.push_back(Burst { address: to, beats });
-        read_address.items.push_back(words(&(), from));
+        read_address.items.push_back(words(&address_bits, from));
         let beat = |place| ReadBeat { id: from.id, data: 0, response: SLAVE_ERROR, last: place == from.length };
         reads.extend((0..=from.length).map(beat));
     }
+    let has_beyond = bursts.iter().any(|Burst { address, .. }| address.address == 8 << index_bits);
+    assert_eq!(has_beyond, 8 << index_bits < 1 << address_bits, "bursts right behind the end of the window");
     let (mut written, mut expected_writes) = (vec![], vec![]);
     let mut answers = VecDeque::new();
     // Every read is refused for what it is.
@@ -150,7 +157,7 @@ fn a_burst_takes_a_word_in_every_cycle() {
     let mut random = fastrand::Rng::with_seed(1);
     let mut bench = Bench::new(window::module(10), 1);
     let never = || Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
-    let mut address = Feed::new(&bench, HOST.write_address, &(), &mut random, never());
+    let mut address = Feed::new(&bench, HOST.write_address, &window_bits(10).address, &mut random, never());
     let mut data = Feed::new(&bench, HOST.write_data, &TREE_WORD_BITS, &mut random, never());
     let mut answer = Drain::new(&bench, HOST.write_answer, &(), never());
     address.items.push_back(vec![3, 0, 255, 3, 1]);

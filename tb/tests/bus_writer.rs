@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::bus::axi::BurstAddress;
+use pointcore_contract::bus::config::ADDRESS_BITS;
 use pointcore_contract::bus::units::Addressed;
 use pointcore_contract::bus::units::writer::Ports;
 use pointcore_contract::splat::records::Pixel;
@@ -37,7 +38,7 @@ fn exchange(
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [source, addresses, data, answers] = <[Stalls; 4]>::try_from(patterns).unwrap();
     let mut input = Feed::new(&bench, ports.input, config, &mut random, source);
-    let mut address = Drain::new(&bench, ports.memory.address, &(), addresses);
+    let mut address = Drain::new(&bench, ports.memory.address, &ADDRESS_BITS, addresses);
     let mut data = Drain::new(&bench, ports.memory.data, &memory_bits, data);
     let mut answer = Feed::new(&bench, ports.memory.answer, &(), &mut random, answers);
 
@@ -73,7 +74,7 @@ fn exchange(
             let Burst { address: first, beats } = bursts.pop_front().unwrap();
             let (length, size) = ((beats - 1) as u8, beat_bytes.ilog2() as u8);
             let expected = BurstAddress { id: 0, address: first, length, size, burst: INCREMENTING };
-            assert_eq!(read::<BurstAddress>(&(), &burst), expected, "cycle {}", bench.cycle);
+            assert_eq!(read::<BurstAddress>(&ADDRESS_BITS, &burst), expected, "cycle {}", bench.cycle);
             addressed += 1;
         }
         if let Some(item) = data.taken(&bench) {

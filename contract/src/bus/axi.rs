@@ -16,14 +16,14 @@ const BURST_BITS: u32 = 2;
 const RESPONSE_BITS: u32 = 2;
 
 /// What an address channel says of a burst.
-#[record(config: ())]
+#[record(address_bits: u32)]
 pub struct BurstAddress {
     /// The burst's identifier, which its answers bear.
     #[bits(ID_BITS)]
     pub id: u8,
     /// Its first byte.
     #[name("addr")]
-    #[bits(ADDRESS_BITS)]
+    #[bits(*address_bits)]
     pub address: u32,
     /// One less than its beats.
     #[name("len")]
@@ -132,6 +132,15 @@ pub struct PacketBeat {
     pub last: bool,
 }
 
+/// Widths of a bus to a unit that others write and read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SlaveBits {
+    /// Of an address: as many as the unit's range needs.
+    pub address: u32,
+    /// Of a beat.
+    pub beat: u32,
+}
+
 /// Channels that belong together, at one side.
 pub trait Bus: Copy {
     /// What their widths depend on.
@@ -204,7 +213,7 @@ buses! {
     /// AXI4, reading.
     ReadMaster, beat_bits: u32 {
         /// Bursts wanted.
-        address: ChannelOut<BurstAddress> = "ar", &();
+        address: ChannelOut<BurstAddress> = "ar", &ADDRESS_BITS;
         /// Their beats.
         data: ChannelIn<ReadBeat> = "r", beat_bits;
     }
@@ -212,7 +221,7 @@ buses! {
     /// AXI4, writing.
     WriteMaster, beat_bits: u32 {
         /// Bursts to be written.
-        address: ChannelOut<BurstAddress> = "aw", &();
+        address: ChannelOut<BurstAddress> = "aw", &ADDRESS_BITS;
         /// Their beats.
         data: ChannelOut<WriteBeat> = "w", beat_bits;
         /// Answers to bursts.
@@ -220,16 +229,16 @@ buses! {
     }
 
     /// AXI4, written and read by others.
-    Slave, beat_bits: u32 {
+    Slave, bits: SlaveBits {
         /// Bursts to be written.
-        write_address: ChannelIn<BurstAddress> = "aw", &();
+        write_address: ChannelIn<BurstAddress> = "aw", &bits.address;
         /// Their beats.
-        write_data: ChannelIn<WriteBeat> = "w", beat_bits;
+        write_data: ChannelIn<WriteBeat> = "w", &bits.beat;
         /// Answers to bursts.
         write_answer: ChannelOut<WriteAnswer> = "b", &();
         /// Bursts wanted.
-        read_address: ChannelIn<BurstAddress> = "ar", &();
+        read_address: ChannelIn<BurstAddress> = "ar", &bits.address;
         /// Their beats.
-        read_data: ChannelOut<ReadBeat> = "r", beat_bits;
+        read_data: ChannelOut<ReadBeat> = "r", &bits.beat;
     }
 }

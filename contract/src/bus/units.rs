@@ -1,6 +1,6 @@
 //! The units between a core and its buses at their ports, and the tops.
 
-use super::axi::{PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, WriteMaster};
+use super::axi::{PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, SlaveBits, WriteMaster};
 use super::config::{ADDRESS_BITS, BORDER_BYTES, BURST_BEATS_MAX, TREE_WORD_BITS};
 use super::layout::Layout;
 use super::packets::Packet;
@@ -170,7 +170,7 @@ pub struct Window {
     locked: Input<bool>,
     /// The host.
     #[port("s_axi")]
-    #[with(&TREE_WORD_BITS)]
+    #[with(&window_bits(*index_bits))]
     host: Slave,
     /// Words written.
     write: PulseOut<WindowWrite>,
@@ -303,7 +303,7 @@ pub struct SearchAxi {
     /// Window to the tree.
     #[port("s_axi")]
     #[when(config.tree_cache == 0)]
-    #[with(&TREE_WORD_BITS)]
+    #[with(&window_bits(window_index_bits(config)))]
     window: Slave,
     /// Memory with the tree.
     #[port("m_axi_tree")]
@@ -316,6 +316,14 @@ pub struct SearchAxi {
 #[must_use]
 pub const fn window_index_bits(config: &search::Config) -> u32 {
     config.node_bits()
+}
+
+/// Widths of the bus to a window of `2^index_bits` words: its addresses end with it, or with the range that AXI gives any slave.
+#[must_use]
+pub const fn window_bits(index_bits: u32) -> SlaveBits {
+    let words = index_bits + (TREE_WORD_BITS / 8).ilog2();
+    let range = BORDER_BYTES.ilog2();
+    SlaveBits { address: if words > range { words } else { range }, beat: TREE_WORD_BITS }
 }
 
 /// The most records that the search core asks of its memory at a time.

@@ -38,7 +38,7 @@ impl Window {
     #[must_use]
     pub fn write(&self, address: BurstAddress, beats: &[WriteBeat], is_locked: bool) -> (Vec<(u32, u64)>, Outcome) {
         let words = 1u64 << self.index_bits;
-        let index = u64::from(address.address / WORD_BYTES) % words;
+        let index = u64::from(address.address / WORD_BYTES);
         let count = u64::from(address.length) + 1;
         let is_plain = address.burst == INCREMENTING
             && address.size == WORD_SIZE
@@ -68,12 +68,14 @@ mod tests {
     #[test]
     fn only_plain_bursts_are_written() {
         let window = Window::new(3);
-        let good = BurstAddress { id: 0, address: 0x130, length: 1, size: 3, burst: 1 };
+        let good = BurstAddress { id: 0, address: 0x30, length: 1, size: 3, burst: 1 };
         let beats = [false, true].map(|last| WriteBeat { data: 7, strobes: 0xff, last });
         assert_eq!(window.write(good, &beats, false), (vec![(6, 7), (7, 7)], Outcome::Okay));
         assert_eq!(window.write(good, &beats, true), (vec![], Outcome::RefusedBusy));
-        let outside = BurstAddress { address: 0x138, ..good };
-        assert_eq!(window.write(outside, &beats, true), (vec![], Outcome::RefusedBurst));
+        for outside in [0x38, 0x40, 0x130] {
+            let outside = BurstAddress { address: outside, ..good };
+            assert_eq!(window.write(outside, &beats, true), (vec![], Outcome::RefusedBurst));
+        }
         let partial = [WriteBeat { strobes: 0x7f, ..beats[0] }, beats[1]];
         assert_eq!(window.write(good, &partial, false), (vec![(7, 7)], Outcome::RefusedBurst));
     }

@@ -7,6 +7,7 @@ use pointcore_contract::bus::registers::{
     self as map, ErrorSources, MapEntry, Register, RegisterKind, RegisterMap, SearchRegisters, SplatRegisters,
     UniformBits,
 };
+use pointcore_contract::bus::units::window_bits;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::{fields, places, record, search, splat};
 use pointcore_hdl::bus::cores::buffer;
@@ -187,6 +188,7 @@ fn registers() -> Proof {
 
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
     const INDEX_BITS: u32 = 2;
-    let window = Proof::new("bus_window", window::module(INDEX_BITS), &[("INDEX_BITS", INDEX_BITS)]);
+    let sizes = [("INDEX_BITS", INDEX_BITS), ("ADDRESS_BITS", window_bits(INDEX_BITS).address)];
+    let window = Proof::new("bus_window", window::module(INDEX_BITS), &sizes);
     packets().into_iter().chain(memory()).chain(buffers()).chain([window, registers()])
 }

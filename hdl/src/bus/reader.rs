@@ -198,6 +198,6 @@ pub(super) fn address_out(
     let address = if stride == 0 { address } else { cat([address, lit(stride, 0)]) };
     let (size, burst) = (size_of(beat_bytes), INCREMENTING.expr());
     let said = BurstAddress { id: lit(ID_BITS, 0), address, length, size, burst };
-    let ready = channel.drive(m, &(), queue.valid, said);
+    let ready = channel.drive(m, &ADDRESS_BITS, queue.valid, said);
     m.drive(queue.ready, ready);
 }

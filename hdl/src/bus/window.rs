@@ -5,8 +5,8 @@
 
 use pointcore_contract::bus::axi::{ReadBeat, WriteAnswer};
 use pointcore_contract::bus::config::{ID_BITS, TREE_WORD_BITS};
-use pointcore_contract::bus::units::WindowWrite;
 use pointcore_contract::bus::units::window::Ports;
+use pointcore_contract::bus::units::{WindowWrite, window_bits};
 
 use super::{INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of};
 use crate::units::ports::{ChannelInPorts, ChannelOutPorts, PulseOutPorts, WordPort};
@@ -25,7 +25,7 @@ pub fn module(index_bits: u32) -> Module {
     m.parameter("index_bits", index_bits);
     let locked = Ports::ALL.locked.declare_word(&mut m, 1);
     let refused_write = writes(&mut m, index_bits, locked);
-    let read = reads(&mut m);
+    let read = reads(&mut m, index_bits);
     // A refused read waits for the pulse where a write is refused at the same time: every burst counts.
     let read_waits = m.reg_reset("read_waits", 1, 0);
     m.next(read_waits, read | (read_waits & refused_write));
@@ -40,7 +40,8 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
     let awready = !(is_judged | takes_words | bvalid);
     let awready = m.wire("address_ready", awready);
     let ports = Ports::ALL;
-    let (awvalid, burst) = ports.host.write_address.declare(m, &(), awready);
+    let address_bits = window_bits(index_bits).address;
+    let (awvalid, burst) = ports.host.write_address.declare(m, &address_bits, awready);
     let begins = m.wire("begins", awvalid & awready);
     m.next(is_judged, begins);
 
@@ -49,7 +50,11 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
     let is_plain = m.reg("is_plain", 1);
     let aligned = burst.address.trunc(BYTE_BITS).is_zero();
     let plain = burst.burst.eq(INCREMENTING.expr()) & burst.size.eq(size_of(WORD_BYTES)) & aligned;
-    m.next_if(is_plain, begins, plain);
+    // A window smaller than the range of its addresses is at their beginning.
+    let end_bits = BYTE_BITS + index_bits;
+    let begins_inside =
+        if address_bits > end_bits { burst.address.bits(address_bits - 1, end_bits).is_zero() } else { bit(true) };
+    m.next_if(is_plain, begins, plain & begins_inside);
     let index = m.reg("index", index_bits);
     let left = m.reg("left", LENGTH_BITS);
     let width = index_bits.max(LENGTH_BITS) + 1;
@@ -96,9 +101,9 @@ fn index_of(address: Expr, index_bits: u32) -> Expr {
 }
 
 /// The read half, which answers all with errors; returns where a burst begins.
-fn reads(m: &mut Module) -> Expr {
+fn reads(m: &mut Module, index_bits: u32) -> Expr {
     let rvalid = m.reg_reset("s_axi_rvalid", 1, 0);
-    let (arvalid, burst) = Ports::ALL.host.read_address.declare(m, &(), !rvalid);
+    let (arvalid, burst) = Ports::ALL.host.read_address.declare(m, &window_bits(index_bits).address, !rvalid);
     let begins = m.wire("read_begins", arvalid & !rvalid);
     Ports::ALL.host.read_data.drive_with(m, &WORD_BITS, rvalid, |m, rready| {
         let rid = m.reg("s_axi_rid", ID_BITS);

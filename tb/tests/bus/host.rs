@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::bus::axi::{
-    BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, WriteBeat, WriteMaster,
+    BurstAddress, PacketBusIn, PacketBusOut, ReadMaster, RegisterBus, Slave, SlaveBits, WriteBeat, WriteMaster,
 };
-use pointcore_contract::bus::config::TREE_WORD_BITS;
+use pointcore_contract::bus::config::{ADDRESS_BITS, TREE_WORD_BITS};
 use pointcore_contract::bus::packets::Packet;
 use pointcore_contract::bus::registers::{CONTROL, ERRORS, STATUS};
 use pointcore_contract::bus::{Config, Register};
@@ -29,7 +29,7 @@ struct Reads {
 
 impl Reads {
     fn new(bench: &Bench, bus: ReadMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
-        let address = Drain::new(bench, bus.address, &(), stalls(random));
+        let address = Drain::new(bench, bus.address, &ADDRESS_BITS, stalls(random));
         let pattern = stalls(random);
         let data = Feed::new(bench, bus.data, &widths.memory_bits, random, pattern);
         Self { address, data }
@@ -38,7 +38,7 @@ impl Reads {
     fn step(&mut self, bench: &Bench, memory: &[u8], beat_bytes: usize) {
         self.data.taken(bench);
         let Some(burst) = self.address.taken(bench) else { return };
-        let BurstAddress { id, address, length, .. } = read(&(), &burst);
+        let BurstAddress { id, address, length, .. } = read(&ADDRESS_BITS, &burst);
         for beat in 0..=usize::from(length) {
             let place = address as usize + beat * beat_bytes;
             let mut item = vec![id.into()];
@@ -62,7 +62,7 @@ struct Writes {
 
 impl Writes {
     fn new(bench: &Bench, bus: WriteMaster, widths: Config, random: &mut fastrand::Rng) -> Self {
-        let address = Drain::new(bench, bus.address, &(), stalls(random));
+        let address = Drain::new(bench, bus.address, &ADDRESS_BITS, stalls(random));
         let data = Drain::new(bench, bus.data, &widths.memory_bits, stalls(random));
         let pattern = stalls(random);
         let answer = Feed::new(bench, bus.answer, &(), random, pattern);
@@ -72,7 +72,9 @@ impl Writes {
 
     fn step(&mut self, bench: &Bench, memory: &mut [u8], beat_bytes: usize) {
         self.answer.taken(bench);
-        self.bursts.extend(self.address.taken(bench).map(|burst| read::<BurstAddress>(&(), &burst).address as usize));
+        self.bursts.extend(
+            self.address.taken(bench).map(|burst| read::<BurstAddress>(&ADDRESS_BITS, &burst).address as usize),
+        );
         if let Some(beat) = self.data.taken(bench) {
             self.gathered.extend(bytes(&beat, beat_bytes));
             if beat[beat.len() - 1] == 1 {
@@ -127,8 +129,8 @@ pub struct Around {
     pub reads: Vec<ReadMaster>,
     /// Its memory port that writes.
     pub writes: Option<WriteMaster>,
-    /// Its window for the tree.
-    pub window: Option<Slave>,
+    /// Its window for the tree, and how wide that is.
+    pub window: Option<(Slave, SlaveBits)>,
     /// Bytes of memory.
     pub memory: usize,
     /// What the memory does first.
@@ -160,10 +162,10 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         let (bus_in, bus_out) = around.packets;
         let packets_in = feed(&bench, bus_in.beats, &widths.stream_bits, random);
         let packets_out = Drain::new(&bench, bus_out.beats, &widths.stream_bits, stalls(random));
-        let window = around.window.map(|window| {
+        let window = around.window.map(|(window, bits)| {
             (
-                feed(&bench, window.write_address, &(), random),
-                feed(&bench, window.write_data, &TREE_WORD_BITS, random),
+                feed(&bench, window.write_address, &bits.address, random),
+                feed(&bench, window.write_data, &bits.beat, random),
                 Drain::new(&bench, window.write_answer, &(), stalls(random)),
             )
         });
@@ -299,7 +301,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     pub fn write_tree(&mut self, index: u64, word: u64) -> bool {
         let (address, data, _) = self.window.as_mut().expect("the core has a window");
         let burst = BurstAddress { id: 5, address: index as u32 * 8, length: 0, size: 3, burst: 1 };
-        address.items.push_back(contract::words(&(), burst));
+        address.items.push_back(contract::words(&ADDRESS_BITS, burst));
         let beat = WriteBeat { data: word, strobes: 0xff, last: true };
         data.items.push_back(contract::words(&TREE_WORD_BITS, beat));
         loop {

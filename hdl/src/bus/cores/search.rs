@@ -223,7 +223,7 @@ struct TreeSignals {
 fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance, abort: Abort) -> TreeSignals {
     let index_bits = units::window_index_bits(config);
     let window = m.instance("tree", window::module(index_bits));
-    export(m, &TREE_WORD_BITS, (window, WINDOW.host), TOP.window);
+    export(m, &units::window_bits(index_bits), (window, WINDOW.host), TOP.window);
     let Pulse { valid, record: WindowWrite { index, data: word } } = WINDOW.write.of(m, &index_bits, window);
     let (node, bucket) = (in_word(config, word), in_word(config, word));
     let record = TreeWrite { is_leaf: index.msb(), address: index.trunc(config.tree_depth), node, bucket };
