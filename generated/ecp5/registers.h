@@ -7,8 +7,10 @@
 #ifndef POINTCORE_STATIC_ASSERT
 #ifdef __cplusplus
 #define POINTCORE_STATIC_ASSERT static_assert
-#else
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define POINTCORE_STATIC_ASSERT _Static_assert
+#else
+#define POINTCORE_STATIC_ASSERT(holds, text) extern int pointcore_static_assert[(holds) ? 1 : -1]
 #endif
 #endif
 
@@ -68,6 +70,32 @@
 #define SPLAT_FILTER_SCALE 0x158u /* write: uniform `filter_scale`, in f24-ftz */
 #define SPLAT_IDENTITY UINT32_C(0x50430a01) /* what SPLAT_ID reads */
 
+/* What the configuration fixes. */
+#define SPLAT_WIDTH 512u /* columns of samples */
+#define SPLAT_HEIGHT 512u /* rows of samples */
+#define SPLAT_FLIPQUAD 0 /* two columns of samples a pixel, else one in its middle */
+#define SPLAT_TILE_SIZE 8u /* edge of a tile, in samples */
+#define SPLAT_BUFFER_BYTES 16777216u /* the reconstruction buffer */
+#define SPLAT_CONTINUOUS 13u /* attributes that are blended */
+#define SPLAT_CARDINAL 1u /* attributes that are selected */
+#define SPLAT_CULLING 1 /* splats that face away from the eye are not drawn */
+#define SPLAT_SCREEN_FILTER 1 /* splats cover `filter_radius` around their centre at least */
+#define SPLAT_EYE_PLANE 1 /* splats may reach behind the eye */
+#define SPLAT_DEPTH_PLANE 0 /* samples have the depth of the splat's plane, else of its centre */
+#define SPLAT_KERNEL_GAMMA 2.0 /* weights are exp(-gamma rho^2) */
+#define SPLAT_GEOMETRY_EXPONENT_BITS 8u /* of f24-ftz, docs/numbers.md */
+#define SPLAT_GEOMETRY_MANTISSA_BITS 15u /* behind the leading one */
+#define SPLAT_GEOMETRY_INFINITY UINT32_C(0x7f8000) /* positive */
+#define SPLAT_GEOMETRY_NAN UINT32_C(0x7fc000) /* the one that operators return */
+#define SPLAT_ATTRIBUTE_EXPONENT_BITS 5u /* of f16, docs/numbers.md */
+#define SPLAT_ATTRIBUTE_MANTISSA_BITS 10u /* behind the leading one */
+#define SPLAT_ATTRIBUTE_INFINITY UINT32_C(0x7c00) /* positive */
+#define SPLAT_ATTRIBUTE_NAN UINT32_C(0x7e00) /* the one that operators return */
+#define SPLAT_FILTER_SCALE_EXPONENT_BITS 8u /* of f24-ftz, docs/numbers.md */
+#define SPLAT_FILTER_SCALE_MANTISSA_BITS 15u /* behind the leading one */
+#define SPLAT_FILTER_SCALE_INFINITY UINT32_C(0x7f8000) /* positive */
+#define SPLAT_FILTER_SCALE_NAN UINT32_C(0x7fc000) /* the one that operators return */
+
 /* A splat in world space, or with `end` set the end of the frame. */
 struct splat_splat {
     uint8_t end; /* 1 bits */
@@ -98,6 +126,31 @@ struct splat_splat {
     uint8_t padding_1[4];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 72, "splat_splat takes 72 bytes");
+#define SPLAT_SPLAT_BYTES 72u
+#define SPLAT_SPLAT_END_BITS 1u
+#define SPLAT_SPLAT_CENTER_X_BITS 24u
+#define SPLAT_SPLAT_CENTER_Y_BITS 24u
+#define SPLAT_SPLAT_CENTER_Z_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_X_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_Y_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_Z_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_X_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_Y_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_Z_BITS 24u
+#define SPLAT_SPLAT_ATTRIBUTE_0_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_1_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_2_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_3_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_4_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_5_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_6_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_7_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_8_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_9_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_10_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_11_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_12_BITS 16u
+#define SPLAT_SPLAT_CARDINAL_0_BITS 16u
 
 /* A pixel of the picture, or with `end` set the end of the frame. */
 struct splat_fragment {
@@ -123,6 +176,25 @@ struct splat_fragment {
     uint16_t cardinal_0; /* 16 bits */
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 40, "splat_fragment takes 40 bytes");
+#define SPLAT_FRAGMENT_BYTES 40u
+#define SPLAT_FRAGMENT_END_BITS 1u
+#define SPLAT_FRAGMENT_COLUMN_BITS 9u
+#define SPLAT_FRAGMENT_ROW_BITS 9u
+#define SPLAT_FRAGMENT_DEPTH_BITS 24u
+#define SPLAT_FRAGMENT_ATTRIBUTE_0_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_1_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_2_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_3_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_4_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_5_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_6_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_7_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_8_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_9_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_10_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_11_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_12_BITS 16u
+#define SPLAT_FRAGMENT_CARDINAL_0_BITS 16u
 
 /* A pixel of the reconstruction buffer, which only the core reads and writes. */
 struct splat_pixel {
@@ -147,5 +219,23 @@ struct splat_pixel {
     uint8_t padding_1[18];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 64, "splat_pixel takes 64 bytes");
+#define SPLAT_PIXEL_BYTES 64u
+#define SPLAT_PIXEL_WEIGHT_BITS 28u
+#define SPLAT_PIXEL_DEPTH_BITS 52u
+#define SPLAT_PIXEL_PEAK_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_0_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_1_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_2_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_3_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_4_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_5_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_6_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_7_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_8_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_9_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_10_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_11_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_12_BITS 16u
+#define SPLAT_PIXEL_CARDINAL_0_BITS 16u
 
 #endif

@@ -7,8 +7,10 @@
 #ifndef POINTCORE_STATIC_ASSERT
 #ifdef __cplusplus
 #define POINTCORE_STATIC_ASSERT static_assert
-#else
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define POINTCORE_STATIC_ASSERT _Static_assert
+#else
+#define POINTCORE_STATIC_ASSERT(holds, text) extern int pointcore_static_assert[(holds) ? 1 : -1]
 #endif
 #endif
 
@@ -68,6 +70,30 @@
 #define SPLAT_FILTER_SCALE 0x158u /* write: uniform `filter_scale`, in unsigned fixed point, 16 bits, 12 of them behind the point */
 #define SPLAT_IDENTITY UINT32_C(0x50430a01) /* what SPLAT_ID reads */
 
+/* What the configuration fixes. */
+#define SPLAT_WIDTH 128u /* columns of samples */
+#define SPLAT_HEIGHT 128u /* rows of samples */
+#define SPLAT_FLIPQUAD 0 /* two columns of samples a pixel, else one in its middle */
+#define SPLAT_TILE_SIZE 8u /* edge of a tile, in samples */
+#define SPLAT_BUFFER_BYTES 524288u /* the reconstruction buffer */
+#define SPLAT_CONTINUOUS 3u /* attributes that are blended */
+#define SPLAT_CARDINAL 0u /* attributes that are selected */
+#define SPLAT_CULLING 1 /* splats that face away from the eye are not drawn */
+#define SPLAT_SCREEN_FILTER 1 /* splats cover `filter_radius` around their centre at least */
+#define SPLAT_EYE_PLANE 0 /* splats may reach behind the eye */
+#define SPLAT_DEPTH_PLANE 0 /* samples have the depth of the splat's plane, else of its centre */
+#define SPLAT_KERNEL_GAMMA 2.0 /* weights are exp(-gamma rho^2) */
+#define SPLAT_GEOMETRY_EXPONENT_BITS 8u /* of f24-ftz, docs/numbers.md */
+#define SPLAT_GEOMETRY_MANTISSA_BITS 15u /* behind the leading one */
+#define SPLAT_GEOMETRY_INFINITY UINT32_C(0x7f8000) /* positive */
+#define SPLAT_GEOMETRY_NAN UINT32_C(0x7fc000) /* the one that operators return */
+#define SPLAT_ATTRIBUTE_EXPONENT_BITS 5u /* of f16, docs/numbers.md */
+#define SPLAT_ATTRIBUTE_MANTISSA_BITS 10u /* behind the leading one */
+#define SPLAT_ATTRIBUTE_INFINITY UINT32_C(0x7c00) /* positive */
+#define SPLAT_ATTRIBUTE_NAN UINT32_C(0x7e00) /* the one that operators return */
+#define SPLAT_FILTER_SCALE_BITS 16u /* without sign */
+#define SPLAT_FILTER_SCALE_FRACTION_BITS 12u /* of them behind the point */
+
 /* A splat in world space, or with `end` set the end of the frame. */
 struct splat_splat {
     uint8_t end; /* 1 bits */
@@ -87,6 +113,20 @@ struct splat_splat {
     uint8_t padding_1[2];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 48, "splat_splat takes 48 bytes");
+#define SPLAT_SPLAT_BYTES 48u
+#define SPLAT_SPLAT_END_BITS 1u
+#define SPLAT_SPLAT_CENTER_X_BITS 24u
+#define SPLAT_SPLAT_CENTER_Y_BITS 24u
+#define SPLAT_SPLAT_CENTER_Z_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_X_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_Y_BITS 24u
+#define SPLAT_SPLAT_TANGENT1_Z_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_X_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_Y_BITS 24u
+#define SPLAT_SPLAT_TANGENT2_Z_BITS 24u
+#define SPLAT_SPLAT_ATTRIBUTE_0_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_1_BITS 16u
+#define SPLAT_SPLAT_ATTRIBUTE_2_BITS 16u
 
 /* A pixel of the picture, or with `end` set the end of the frame. */
 struct splat_fragment {
@@ -101,6 +141,14 @@ struct splat_fragment {
     uint8_t padding_1[2];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 16, "splat_fragment takes 16 bytes");
+#define SPLAT_FRAGMENT_BYTES 16u
+#define SPLAT_FRAGMENT_END_BITS 1u
+#define SPLAT_FRAGMENT_COLUMN_BITS 7u
+#define SPLAT_FRAGMENT_ROW_BITS 7u
+#define SPLAT_FRAGMENT_DEPTH_BITS 24u
+#define SPLAT_FRAGMENT_ATTRIBUTE_0_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_1_BITS 16u
+#define SPLAT_FRAGMENT_ATTRIBUTE_2_BITS 16u
 
 /* A pixel of the reconstruction buffer, which only the core reads and writes. */
 struct splat_pixel {
@@ -113,5 +161,11 @@ struct splat_pixel {
     uint8_t padding_1[10];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 32, "splat_pixel takes 32 bytes");
+#define SPLAT_PIXEL_BYTES 32u
+#define SPLAT_PIXEL_WEIGHT_BITS 28u
+#define SPLAT_PIXEL_DEPTH_BITS 52u
+#define SPLAT_PIXEL_ATTRIBUTE_0_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_1_BITS 16u
+#define SPLAT_PIXEL_ATTRIBUTE_2_BITS 16u
 
 #endif

@@ -7,8 +7,10 @@
 #ifndef POINTCORE_STATIC_ASSERT
 #ifdef __cplusplus
 #define POINTCORE_STATIC_ASSERT static_assert
-#else
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define POINTCORE_STATIC_ASSERT _Static_assert
+#else
+#define POINTCORE_STATIC_ASSERT(holds, text) extern int pointcore_static_assert[(holds) ? 1 : -1]
 #endif
 #endif
 
@@ -56,6 +58,24 @@
 #define SEARCH_CACHE_MARGIN_SCALE 0x094u /* read, write: factor of what is left of it, in f32-ftz */
 #define SEARCH_IDENTITY UINT32_C(0x50430b01) /* what SEARCH_ID reads */
 
+/* What the configuration fixes. */
+#define SEARCH_NEIGHBORS 32u /* the largest `k` of a query */
+#define SEARCH_INDEX_BITS 24u /* of a point's index and of a query's number */
+#define SEARCH_LANES 4u /* points in a beat: a record of `points` */
+#define SEARCH_BUCKET 16u /* points of a leaf at most */
+#define SEARCH_LEAF_BEATS 4u /* beats of a leaf at most */
+#define SEARCH_POINT_BEATS 4194304u /* beats of points at most: what indices reach */
+#define SEARCH_TREE_DEPTH 20u /* levels of internal nodes */
+#define SEARCH_TREE_RECORDS 2097152u /* nodes and leaves: `2^(tree_depth + 1)` */
+#define SEARCH_TREE_STRIDE 8u /* bytes from one record of the tree to the next */
+#define SEARCH_TREE_BYTES 16777216u /* the whole tree */
+#define SEARCH_TREE_IN_MEMORY 1 /* the tree lies in memory, at `tree_base`; else behind `s_axi` */
+#define SEARCH_NEIGHBORHOODS 8u /* what the neighbor cache holds; 0 where there is none */
+#define SEARCH_GEOMETRY_EXPONENT_BITS 8u /* of f32-ftz, docs/numbers.md */
+#define SEARCH_GEOMETRY_MANTISSA_BITS 23u /* behind the leading one */
+#define SEARCH_GEOMETRY_INFINITY UINT32_C(0x7f800000) /* positive */
+#define SEARCH_GEOMETRY_NAN UINT32_C(0x7fc00000) /* the one that operators return */
+
 /* A point whose neighbors are sought. */
 struct search_query {
     uint32_t number; /* 24 bits */
@@ -69,6 +89,14 @@ struct search_query {
     uint8_t padding_1[4];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct search_query) == 32, "search_query takes 32 bytes");
+#define SEARCH_QUERY_BYTES 32u
+#define SEARCH_QUERY_NUMBER_BITS 24u
+#define SEARCH_QUERY_K_BITS 6u
+#define SEARCH_QUERY_RADIUS2_BITS 32u
+#define SEARCH_QUERY_X_BITS 32u
+#define SEARCH_QUERY_Y_BITS 32u
+#define SEARCH_QUERY_Z_BITS 32u
+#define SEARCH_QUERY_REACH_BITS 32u
 
 /* A neighbor, nearest first; `last` closes its query. */
 struct search_result {
@@ -82,6 +110,13 @@ struct search_result {
     uint8_t padding_1[7];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct search_result) == 24, "search_result takes 24 bytes");
+#define SEARCH_RESULT_BYTES 24u
+#define SEARCH_RESULT_NUMBER_BITS 24u
+#define SEARCH_RESULT_LAST_BITS 1u
+#define SEARCH_RESULT_FOUND_BITS 1u
+#define SEARCH_RESULT_INDEX_BITS 24u
+#define SEARCH_RESULT_DISTANCE2_BITS 32u
+#define SEARCH_RESULT_CACHED_BITS 1u
 
 /* As many points as the core has lanes; a lane without a point holds NaN. */
 struct search_points {
@@ -100,6 +135,19 @@ struct search_points {
     uint8_t padding_0[16];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct search_points) == 64, "search_points takes 64 bytes");
+#define SEARCH_POINTS_BYTES 64u
+#define SEARCH_POINTS_X0_BITS 32u
+#define SEARCH_POINTS_Y0_BITS 32u
+#define SEARCH_POINTS_Z0_BITS 32u
+#define SEARCH_POINTS_X1_BITS 32u
+#define SEARCH_POINTS_Y1_BITS 32u
+#define SEARCH_POINTS_Z1_BITS 32u
+#define SEARCH_POINTS_X2_BITS 32u
+#define SEARCH_POINTS_Y2_BITS 32u
+#define SEARCH_POINTS_Z2_BITS 32u
+#define SEARCH_POINTS_X3_BITS 32u
+#define SEARCH_POINTS_Y3_BITS 32u
+#define SEARCH_POINTS_Z3_BITS 32u
 
 /* An internal node of the tree. */
 struct search_tree_node {
@@ -109,6 +157,10 @@ struct search_tree_node {
     uint8_t padding_0[2];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct search_tree_node) == 8, "search_tree_node takes 8 bytes");
+#define SEARCH_TREE_NODE_BYTES 8u
+#define SEARCH_TREE_NODE_SPLIT_BITS 32u
+#define SEARCH_TREE_NODE_DIMENSION_BITS 2u
+#define SEARCH_TREE_NODE_INTERNAL_LEAF_BITS 1u
 
 /* Where the points of a leaf lie, in beats. */
 struct search_tree_leaf {
@@ -117,5 +169,8 @@ struct search_tree_leaf {
     uint8_t padding_0[3];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct search_tree_leaf) == 8, "search_tree_leaf takes 8 bytes");
+#define SEARCH_TREE_LEAF_BYTES 8u
+#define SEARCH_TREE_LEAF_BEGIN_BITS 22u
+#define SEARCH_TREE_LEAF_BEATS_BITS 3u
 
 #endif

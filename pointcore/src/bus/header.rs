@@ -1,6 +1,7 @@
 //! `registers.h`: the same for C and C++.
 
 use super::Interface;
+use super::constants::Constant;
 use pointcore_contract::bus::packets::NamedRecord;
 use pointcore_contract::bus::{Access, Layout};
 use std::fmt::Write;
@@ -9,14 +10,16 @@ use std::fmt::Write;
 const SIZE_CHECK: &str = "\
 #ifdef __cplusplus
 #define POINTCORE_STATIC_ASSERT static_assert
-#else
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define POINTCORE_STATIC_ASSERT _Static_assert
+#else
+#define POINTCORE_STATIC_ASSERT(holds, text) extern int pointcore_static_assert[(holds) ? 1 : -1]
 #endif
 ";
 
 /// The document.
 pub(super) fn document(interface: &Interface) -> String {
-    let Interface { core, config, registers, packets } = interface;
+    let Interface { core, config, registers, packets, constants } = interface;
     let (lower, upper) = (core.name(), core.name().to_uppercase());
     let mut out = format!(
         "/* {lower}_axi: registers, packets and memory records. Written by pointcore; docs/interfaces.md says how they are used. */\n"
@@ -47,6 +50,10 @@ pub(super) fn document(interface: &Interface) -> String {
     }
     let identity = registers.iter().find(|register| register.name == "id").map_or(0, |register| register.reset());
     let _ = writeln!(out, "#define {upper}_IDENTITY UINT32_C(0x{identity:08x}) /* what {upper}_ID reads */");
+    out += "\n/* What the configuration fixes. */\n";
+    for Constant { name, value, doc, .. } in constants {
+        let _ = writeln!(out, "#define {upper}_{name} {value} /* {doc} */");
+    }
     for packet in packets {
         structure(lower, packet, &mut out);
     }
@@ -73,8 +80,13 @@ fn structure(core: &str, packet: &NamedRecord, out: &mut String) {
     }
     pad(packet.bytes, end, out);
     let bytes = packet.bytes;
+    let upper = name.to_uppercase();
     let _ = writeln!(
         out,
         "}};\nPOINTCORE_STATIC_ASSERT(sizeof(struct {name}) == {bytes}, \"{name} takes {bytes} bytes\");"
     );
+    let _ = writeln!(out, "#define {upper}_BYTES {bytes}u");
+    for field in &packet.fields {
+        let _ = writeln!(out, "#define {upper}_{}_BITS {}u", field.name.to_uppercase(), field.width);
+    }
 }

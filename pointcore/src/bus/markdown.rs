@@ -1,6 +1,7 @@
 //! `registers.md`: registers, packets and memory records as tables.
 
 use super::Interface;
+use super::constants::Constant;
 use pointcore_contract::bus::{Access, Layout, Register};
 use std::fmt::Write;
 
@@ -20,7 +21,7 @@ fn meaning(register: &Register) -> String {
 
 /// The document.
 pub(super) fn document(interface: &Interface) -> String {
-    let Interface { core, config, registers, packets } = interface;
+    let Interface { core, config, registers, packets, constants } = interface;
     let name = core.name();
     let mut out = format!("# `{name}_axi`: registers, packets, memory\n\n");
     // Writing to a string cannot fail, so the results below carry no information.
@@ -35,6 +36,10 @@ pub(super) fn document(interface: &Interface) -> String {
         let (address, width, reset) = (register.address, register.width, register.reset());
         let (name, access, what) = (&register.name, access(register), meaning(register));
         let _ = writeln!(out, "| 0x{address:03x} | `{name}` | {access} | {width} | 0x{reset:x} | {what} |");
+    }
+    out += "\n## Constants\n\n| name | value | what |\n|---|---|---|\n";
+    for Constant { name, number, doc, .. } in constants {
+        let _ = writeln!(out, "| `{}` | {number} | {doc} |", name.to_lowercase());
     }
     out += "\n## Packets and memory records\n";
     for packet in packets {

@@ -1,9 +1,11 @@
 //! A core's bus: the file of its AXI top beside the core's own, and what a driver's author needs to know of it.
 
+mod constants;
 mod header;
 mod markdown;
 
 use crate::generated::GenerateError;
+use constants::Constant;
 use pointcore_contract::bus::packets::{self, NamedRecord};
 use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters, SplatRegisters};
 use pointcore_contract::bus::{Config, Register};
@@ -35,6 +37,7 @@ pub struct Interface {
     config: Config,
     registers: Vec<Register>,
     packets: Vec<NamedRecord>,
+    constants: Vec<Constant>,
 }
 
 impl Interface {
@@ -42,14 +45,16 @@ impl Interface {
     #[must_use]
     pub fn splat(config: &splat::Config) -> Self {
         let (registers, packets) = (SplatRegisters::registers(config), packets::splat(config));
-        Self { core: Kind::Splat, config: config.bus, registers, packets }
+        let constants = constants::splat(config);
+        Self { core: Kind::Splat, config: config.bus, registers, packets, constants }
     }
 
     /// The search core's.
     #[must_use]
     pub fn search(config: &search::Config) -> Self {
         let (registers, packets) = (SearchRegisters::registers(config), packets::search(config));
-        Self { core: Kind::Search, config: config.bus, registers, packets }
+        let constants = constants::search(config);
+        Self { core: Kind::Search, config: config.bus, registers, packets, constants }
     }
 
     /// `registers.md`.
