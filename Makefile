@@ -23,7 +23,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -79,6 +79,9 @@ formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (fo
 
 cocotb: setup-cocotb ## Run frames and searches through the tops on AXI, with a bus that stalls and errs (cocotb/README.md)
 	@$(TOOLS)/bin/python cocotb/run.py $(CONFIGURATIONS)
+
+driver: setup ## Run the bare-metal drivers in C on the AXI tops, simulated, or CONFIGURATIONS only (examples/bare_metal/)
+	@./scripts/driver $(CONFIGURATIONS)
 
 bindings: c python ## Build the libraries for C and for Python, and test both (docs/bindings.md)
 
