@@ -6,15 +6,20 @@
 
 use super::MutationError;
 use super::campaign::Subject;
+use super::process::{self, Verdict};
 use super::schemata::NETLIST;
 use crate::synthesis::Tool;
 use pointcore_tb::cache::file;
 use std::fmt;
 use std::fs;
 use std::process::Command;
+use std::time::Duration;
 
 /// The ABC that comes with Debian's yosys.
 const ABC: &str = "yosys-abc";
+
+/// A design with more text than this is a whole core: the prover comes to no end with it.
+const LARGEST_BYTES: usize = 60_000;
 
 /// What became of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,42 +42,66 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Compares a design with its mutant.
+/// Compares a design with its mutant: first the module that is mutated alone, which is small, then the whole.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
+    let module = mutation.split(' ').skip_while(|word| *word != "-module").nth(1).unwrap_or(&subject.top);
+    match compare(yosys, subject, module, mutation, seconds)? {
+        Proof::Equivalent => Ok(Proof::Equivalent),
+        proof if module == subject.top || subject.verilog.len() > LARGEST_BYTES => Ok(proof),
+        // What surrounds the module may hide the difference, or keep it from coming about.
+        _ => compare(yosys, subject, &subject.top, mutation, seconds),
+    }
+}
+
+/// Compares a module of a design with its mutant.
+fn compare(
+    yosys: &Tool,
+    subject: &Subject,
+    module: &str,
+    mutation: &str,
+    seconds: u32,
+) -> Result<Proof, MutationError> {
     let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
     let folder = scratch.path();
-    let write = |name: &str, text: &str| {
-        let path = folder.join(name);
-        fs::write(&path, text).map_err(file("write", &path))
-    };
     let top = &subject.top;
-    write("source.v", &subject.verilog)?;
-    write("others.v", &subject.others)?;
-    let flat = "memory\nflatten\nopt_clean\n";
-    write(
-        "miter.ys",
-        &format!(
-            "read_verilog others.v source.v\nhierarchy -top {top}\n{NETLIST}design -save source\n\
-             {flat}rename {top} gold\ndesign -stash gold\n\
-             design -load source\n{mutation}\n{flat}rename {top} gate\ndesign -stash gate\n\
-             design -copy-from gold gold\ndesign -copy-from gate gate\n\
-             miter -equiv -flatten -ignore_gold_x gold gate miter\nhierarchy -top miter\n\
-             memory_map\nopt\nsetundef -zero\ntechmap\nopt\ndffunmap\nsimplemap\nopt_clean\nzinit -all\naigmap\nopt_clean\nwrite_aiger -zinit miter.aig\n"
-        ),
-    )?;
+    let flat = |name: &str| {
+        format!(
+            "hierarchy -top {module}\nmemory\nflatten\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\n\
+             rename {module} {name}\ndesign -stash {name}\n"
+        )
+    };
+    let (gold, gate) = (flat("gold"), flat("gate"));
+    // No pass here may take a value for another because it is open: what is open was set to zero in both.
+    let script = format!(
+        "read_verilog others.v source.v\nhierarchy -top {top}\n{NETLIST}design -save source\n{gold}\
+         design -load source\n{mutation}\n{gate}\
+         design -copy-from gold gold\ndesign -copy-from gate gate\n\
+         miter -equiv -flatten gold gate miter\nhierarchy -top miter\nmemory_map\nopt_clean\ntechmap\nopt_clean\n\
+         dffunmap\nsimplemap\nopt_clean\nsetundef -undriven -zero\nsetundef -zero\nzinit -all\naigmap\nopt_clean\n\
+         write_aiger -zinit miter.aig\n"
+    );
+    for (name, text) in [("source.v", &subject.verilog), ("others.v", &subject.others), ("miter.ys", &script)] {
+        let path = folder.join(name);
+        fs::write(&path, text).map_err(file("write", &path))?;
+    }
     yosys.run(top, folder, &["-q", "miter.ys"])?;
     // Registers that hold the same in both are merged first; what is left is small.
     let script = format!("read_aiger miter.aig; fold; strash; scorr; scorr -F 4; pdr -T {seconds}");
-    let output = Command::new(ABC).args(["-c", &script]).current_dir(folder).output();
-    let output = output.map_err(|error| MutationError::Program { program: ABC.into(), output: error.to_string() })?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    Ok(if text.contains("Property proved") {
-        Proof::Equivalent
-    } else if text.contains("was asserted in frame") {
-        Proof::Different
-    } else {
-        Proof::Open
+    let mut command = Command::new(ABC);
+    command.args(["-c", &script]).current_dir(folder);
+    Ok(match process::run(command, Duration::from_secs(2 * u64::from(seconds)), is_answer)? {
+        Verdict::Failed(text) if text.contains(PROVED) => Proof::Equivalent,
+        Verdict::Failed(_) => Proof::Different,
+        Verdict::Passed | Verdict::Stuck => Proof::Open,
     })
+}
+
+/// What ABC says of a property that holds, and of one that does not.
+const PROVED: &str = "Property proved";
+const REFUTED: &str = "was asserted in frame";
+
+fn is_answer(line: &str) -> bool {
+    line.contains(PROVED) || line.contains(REFUTED)
 }
 
 #[cfg(test)]

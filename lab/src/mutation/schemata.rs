@@ -14,6 +14,9 @@ const CHOICE_BITS: u32 = 16;
 /// What brings a design to the netlist whose bits are mutated. Names of cells follow from it.
 pub const NETLIST: &str = "proc\nopt_expr -keepdc\nopt_clean\n";
 
+/// All but the initial contents of memories, which have to be constant: tables are mutated where they are read.
+const SELECTION: &str = "* t:$meminit t:$meminit_v2 %u %d";
+
 /// Warnings that a netlist written as Verilog earns: it is wide where it need not be, and mutants confuse bits of a word.
 const LINT: &str = "WIDTH UNUSED UNDRIVEN UNOPTFLAT PINMISSING CASEINCOMPLETE CASEOVERLAP CMPCONST UNSIGNED \
     VARHIDDEN DECLFILENAME BLKSEQ INITIALDLY EOFNEWLINE";
@@ -44,7 +47,7 @@ impl Schemata {
         }
         let script = format!(
             "read_verilog -lib library.v\nread_verilog source.v\nhierarchy -top {top}\n{NETLIST}\
-             mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations\n\
+             mutate -list {count} -seed {seed} -ctrl {CHOICE} {CHOICE_BITS} {first} -o mutations {SELECTION}\n\
              script mutations\ndelete -port {top}/{CHOICE}\nwrite_verilog -noattr -norename mutated.v\n"
         );
         let path = folder.join("mutate.ys");
