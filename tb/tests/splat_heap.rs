@@ -3,7 +3,9 @@
 use pointcore_contract::splat::records::HeapEntry;
 use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Heap;
+use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::heap;
+use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
 
 use crate::splat::{Device, RUNS, scene};
 
@@ -54,6 +56,111 @@ fn it_agrees_with_the_model_at_every_size() {
         assert!(reordered >= RUNS - u64::from(heap_interval) / 2, "{reordered} runs of {RUNS} were reordered");
         for run in runs {
             assert!(sorted(run) == sorted(entries.clone()), "what leaves is what entered");
+        }
+    }
+}
+
+/// Entries that take the places of others in a full heap.
+const REPLACED: usize = 3000;
+/// Cycles in which a full heap takes nothing, to be sure that it is full: more than an operation takes.
+const FULL_CYCLES: u32 = 16;
+/// Entries that leave a heap at once, for the queue behind it.
+const BEHIND: usize = 2;
+
+/// Fills a heap while nothing leaves it, has others take the places of those that leave, and empties it.
+#[derive(Clone)]
+struct Brim {
+    input: StreamPorts,
+    out: StreamPorts,
+    entries: Vec<Vec<u64>>,
+    sent: usize,
+    received: Vec<Vec<u64>>,
+    /// Cycles in which an entry was refused.
+    refused: u32,
+    /// Entries that were in it when it took no more.
+    held: Option<usize>,
+    /// Entries that had left it when the last one entered.
+    left: Option<usize>,
+    stalls: [Stalls; 2],
+}
+
+impl Stimulus for Brim {
+    fn drive(&mut self, _cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        let was_offered = self.input.offers(inputs, outputs);
+        let was_taken = was_offered && self.input.transfers(inputs, outputs);
+        self.sent += usize::from(was_taken);
+        if self.out.transfers(inputs, outputs) {
+            self.received.push(self.out.fields.iter().map(|&field| outputs[field]).collect());
+        }
+        self.refused = if was_offered && !was_taken { self.refused + 1 } else { 0 };
+        if self.refused == FULL_CYCLES && self.held.is_none() {
+            self.held = Some(self.sent);
+        }
+        if self.sent == self.entries.len() {
+            self.left.get_or_insert(self.received.len());
+        }
+        let [source, sink] = &mut self.stalls;
+        // It fills as fast as it can, and an offer stands.
+        let is_held_back = source.stalled() && self.held.is_some() && (!was_offered || was_taken);
+        let entry = self.entries.get(self.sent).filter(|_| !is_held_back);
+        inputs[self.input.valid] = u64::from(entry.is_some());
+        if let Some(entry) = entry {
+            self.input.fields.iter().zip(entry).for_each(|(&field, &value)| inputs[field] = value);
+        }
+        let ready = self.out.ready.expect("the stream has one");
+        inputs[ready] = u64::from(!sink.stalled() && self.held.is_some());
+        if self.received.len() == self.entries.len() { Flow::Done } else { Flow::Continue }
+    }
+}
+
+/// The pointers of a tile, in the order of their entries.
+fn of_tile(entries: &[Vec<u64>], tile: u64) -> Vec<u64> {
+    entries.iter().filter(|entry| entry[0] == tile).map(|entry| entry[1]).collect()
+}
+
+/// A heap of 4,095 entries, full, with many of the same tile; both ends stall.
+#[test]
+fn a_heap_of_twelve_levels_is_filled_to_the_brim_and_emptied() {
+    for heap_interval in [2, 4] {
+        let config = Config { heap_levels: 12, heap_interval, width: 61, height: 37, ..Config::default() };
+        let capacity = config.heap_capacity() as usize;
+        let sequence_bits = config.sequence_bits();
+        let device = Device::new(&config, &heap::numbered(&config, sequence_bits), &units::heap::UNIT);
+        let streams = Streams::of(device.library());
+        let stream = |name| streams.get(name).expect("a heap has it").clone();
+        for seed in seeds(2).expect("POINTCORE_SEED is a number") {
+            let mut random = fastrand::Rng::with_seed(seed);
+            let tiles = 1 << config.tile_bits();
+            let entry = |index: usize| {
+                let spread = if index % 64 < 32 { 3 } else { tiles };
+                vec![random.u64(0..spread), index as u64 % (1 << config.heap_levels)]
+            };
+            let brim = Brim {
+                input: stream("in"),
+                out: stream("out"),
+                entries: (0..capacity + BEHIND + REPLACED).map(entry).collect(),
+                sent: 0,
+                received: vec![],
+                refused: 0,
+                held: None,
+                left: None,
+                stalls: [Stall::Random(0.1), Stall::Bursts(40)]
+                    .map(|stall| Stalls::new(stall, fastrand::Rng::with_seed(seed))),
+            };
+            let run = device.lockstep(Ported::new(&config, Heap::numbered(&config, sequence_bits)), seed).run(brim);
+            let Run { stimulus, report } = run.unwrap_or_else(|error| panic!("{error}"));
+            let Brim { held, left, entries, received, .. } = &stimulus;
+            assert_eq!(*held, Some(capacity + BEHIND), "seed {seed}: it holds as many as it should");
+            assert!(report.events("empty") > 0, "seed {seed}: it is empty before the first and after the last");
+            for tile in 0..tiles {
+                assert_eq!(of_tile(received, tile), of_tile(entries, tile), "tile {tile}, seed {seed}");
+            }
+            // What was in it last leaves tile after tile, from wherever it was on, with one turn at most.
+            let last = left.expect("all entered") + BEHIND..;
+            let last: Vec<_> = received[last].iter().map(|entry| entry[0]).collect();
+            assert!(last.len() > capacity / 2, "seed {seed}: {} entries are left at the end", last.len());
+            let turns = last.windows(2).filter(|pair| pair[0] > pair[1]).count();
+            assert!(turns <= 1, "seed {seed}: {turns} turns");
         }
     }
 }
