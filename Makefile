@@ -23,7 +23,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability soak accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -101,6 +101,7 @@ check: ## Formatting, clippy and documentation without warnings
 bench: setup ## Measure frames, searches, operators, stability and accuracy, and merge the figures and docs/area.json's into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
 	cargo run --release --bin pointcore -- area --recorded --record docs/area.json --merge out/bench.json
+	cargo run --release --bin pointcore -- soak --recorded --record docs/soak.json --merge out/bench.json
 	@./scripts/house --merge >/dev/null
 	$(MAKE) stability accuracy
 
@@ -109,6 +110,9 @@ house: ## Count the lines of Rust and of the Verilog, the fields asked for by st
 
 stability: setup ## Check the renderer's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
+
+soak: setup ## Run random configurations of both cores in lockstep with their models, JOBS at a time, and add the count to docs/soak.json (docs/results.md)
+	cargo run --release --bin pointcore -- soak --jobs $(JOBS) --revision $(shell git describe --always --dirty --exclude '*') --record docs/soak.json --tables docs/results.md --merge out/bench.json $(ARGS)
 
 accuracy: ## Sweep what trades accuracy for time and hardware on SCENE, into out/accuracy (docs/accuracy.md)
 	cargo run --release --bin pointcore -- accuracy $(SCENE) --jobs $(JOBS) $(ARGS)

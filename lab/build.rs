@@ -5,8 +5,8 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// Folders and files below the workspace's root.
-const SOURCES: [&str; 13] = [
+/// Folders and files below the workspace's root that decide what a point of a sweep comes to.
+const MODEL: &[&str] = &[
     "contract/src",
     "golden/src",
     "hdl/src",
@@ -21,6 +21,21 @@ const SOURCES: [&str; 13] = [
     "pointcore/src/shading.rs",
     "pointcore/src/uniforms.rs",
 ];
+/// Those that decide what a case of the soak comes to.
+const SOAK: &[&str] = &[
+    "contract/src",
+    "golden/src",
+    "hdl/src",
+    "lab/src/soak",
+    "lab/src/stability/families.rs",
+    "lab/src/stability/frames.rs",
+    "pointcore/src/number.rs",
+    "pointcore/src/splat/mask.rs",
+    "pointcore/src/splat/memory.rs",
+    "rtl/src",
+    "tb/src/lockstep",
+    "tb/src/verilated",
+];
 
 /// All files of a folder, or the file itself.
 fn files(path: &Path) -> Vec<PathBuf> {
@@ -33,16 +48,20 @@ fn files(path: &Path) -> Vec<PathBuf> {
     files
 }
 
-fn main() {
-    let root = Path::new("..");
-    // Another compiler may come to another hash; results are then measured again.
+/// A hash of all files of the sources; another compiler may come to another one, and results are then measured again.
+fn hash(sources: &[&str]) -> u64 {
     let mut hash = DefaultHasher::new();
-    for source in SOURCES {
+    for source in sources {
         println!("cargo::rerun-if-changed=../{source}");
-        for path in files(&root.join(source)) {
+        for path in files(&Path::new("..").join(source)) {
             let text = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
             (path, text).hash(&mut hash);
         }
     }
-    println!("cargo::rustc-env=POINTCORE_MODEL_SOURCES={:016x}", hash.finish());
+    hash.finish()
+}
+
+fn main() {
+    println!("cargo::rustc-env=POINTCORE_MODEL_SOURCES={:016x}", hash(MODEL));
+    println!("cargo::rustc-env=POINTCORE_SOAK_SOURCES={:016x}", hash(SOAK));
 }

@@ -18,7 +18,7 @@ const TOOL: u8 = 3;
 /// The code of a failure.
 pub fn code(failure: &Failure) -> ExitCode {
     ExitCode::from(match failure {
-        Failure::Neighbors(_) | Failure::Stale { .. } => DISAGREEMENT,
+        Failure::Neighbors(_) | Failure::Soak(_) | Failure::Stale { .. } => DISAGREEMENT,
         Failure::Mismatch(error) => lockstep(error),
         Failure::Verilated(error) => verilated(error),
         Failure::Generate(_) | Failure::Package(_) => TOOL,

@@ -5,7 +5,8 @@ mod exit;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use commands::{
-    Failure, accuracy, area, bench, diagram, generate, inspect, knn, mutate, plan, run, stability, translate, vectors,
+    Failure, accuracy, area, bench, diagram, generate, inspect, knn, mutate, plan, run, soak, stability, translate,
+    vectors,
 };
 use pointcore_lab::note;
 use std::process::ExitCode;
@@ -64,6 +65,11 @@ enum Command {
     /// Faults are yosys' mutations of the netlist. A unit's are tried by its lockstep tests, a package's by the test that ships with
     /// it. Of those that are missed, a proof sorts out the ones that change nothing. Run it in the project's folder.
     Mutate(mutate::Arguments),
+    /// Run random configurations of both cores under random stimuli, every output compared with the model's in every cycle.
+    ///
+    /// Finished cases are kept: the same command goes on where it was interrupted. Exit code 1 where a run was not clean: the message
+    /// says what differed, on which configuration, and the command that makes the run again.
+    Soak(Box<soak::Arguments>),
     /// Sweep the knobs that trade accuracy for time and hardware, and find the cheapest configuration that is accurate enough (docs/accuracy.md).
     Accuracy(Box<accuracy::Arguments>),
     /// Measure area and clock of units on FPGA tools.
@@ -112,6 +118,7 @@ fn main() -> ExitCode {
         Command::Bench(arguments) => bench::run(&arguments, output),
         Command::Stability(arguments) => stability::run(&arguments, output),
         Command::Mutate(arguments) => mutate::run(&arguments, output),
+        Command::Soak(arguments) => soak::run(&arguments, output),
         Command::Accuracy(arguments) => accuracy::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
         Command::Translate(arguments) => translate::run(&arguments),

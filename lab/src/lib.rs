@@ -11,6 +11,7 @@ pub mod marks;
 pub mod mutation;
 pub mod note;
 pub mod operands;
+pub mod soak;
 pub mod stability;
 pub mod synthesis;
 

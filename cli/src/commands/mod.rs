@@ -16,7 +16,9 @@ pub mod progress;
 pub mod results;
 pub mod run;
 pub mod search;
+pub mod shard;
 pub mod simulation;
+pub mod soak;
 pub mod stability;
 pub mod translate;
 pub mod vectors;
@@ -104,6 +106,9 @@ pub enum Failure {
     /// Neighbors that are not the nearest.
     #[error("{0}")]
     Neighbors(WrongAnswer),
+    /// Runs in which hardware and model differ, or nothing moves any more.
+    #[error("{0}")]
+    Soak(String),
     /// What could not be measured.
     #[error(transparent)]
     Lab(#[from] LabError),

@@ -25,14 +25,14 @@ use std::path::Path;
 const RESULT: &str = "figures.json";
 
 /// Keeps a result in an entry's folder.
-fn write_result(folder: &Path, result: &impl Serialize) -> Result<(), LabError> {
+pub(crate) fn write_result(folder: &Path, result: &impl Serialize) -> Result<(), LabError> {
     let path = folder.join(RESULT);
     let text = serde_json::to_string_pretty(result).expect("results have string keys");
     Ok(std::fs::write(&path, text).map_err(file("write", &path))?)
 }
 
 /// The result in an entry's folder.
-fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, LabError> {
+pub(crate) fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, LabError> {
     let path = folder.join(RESULT);
     let text = std::fs::read_to_string(&path).map_err(file("read", &path))?;
     serde_json::from_str(&text).map_err(|error| LabError::Damaged { path, problem: error.to_string() })

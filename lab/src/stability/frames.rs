@@ -39,7 +39,8 @@ pub fn frame(config: &Config, first: u64, splats: u64, seed: u64) -> EncodedFram
     EncodedFrame { records: (first..first + splats).map(splat).chain([END]).collect(), uniforms: uniforms(config) }
 }
 
-fn uniforms(config: &Config) -> Uniforms {
+/// Constants of a camera before which all cases are what they are named for.
+pub(crate) fn uniforms(config: &Config) -> Uniforms {
     let ordinary = case(Family::Ordinary, 0, config.geometry, 0);
     // The image is a part of that of all cases, magnified to the same angle.
     let scale = Lens::new(config.geometry, 1.0, 1000.0).scale / 32.0;

@@ -7,7 +7,7 @@ mod frame;
 mod generate;
 mod host;
 pub mod mask;
-mod memory;
+pub mod memory;
 mod page;
 mod recorded;
 mod report;

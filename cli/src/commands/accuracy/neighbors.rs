@@ -1,6 +1,7 @@
 //! `pointcore accuracy --neighbors POINTS`.
 
-use super::{Arguments, report, spread};
+use super::{Arguments, report};
+use crate::commands::shard::spread;
 use crate::commands::{Failure, Output, write};
 use pointcore::search::{PointSet, PointSource, Rounding};
 use pointcore_contract::search::Config;

@@ -1,0 +1,218 @@
+//! Random frames for a renderer of any configuration: scenes of discs, heaps of small splats on a few tiles, the hard
+//! cases of the stability campaign, and empty frames.
+
+use super::configuration::one_of;
+use crate::stability::families::{LEVELS, case};
+use crate::stability::family::Family;
+use crate::stability::frames::uniforms;
+use fastrand::Rng;
+use glam::Vec3;
+use pointcore::number::{encode, encode_attribute, encode_uniform};
+use pointcore::splat::END;
+use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Splat, Uniforms, Viewport};
+use pointcore_contract::splat::{AttributeFormat, Config};
+use pointcore_contract::words;
+use std::f32::consts::TAU;
+
+/// Numbers that are none, or hardly.
+const ODD: [f32; 10] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, f32::MIN, 1e-40, -1e-20, 1e20];
+/// Splats of a frame.
+const SPLATS: u32 = 120;
+/// Samples that a frame's splats cover together, roughly: what a frame takes in cycles.
+const COVERED_SAMPLES: u32 = 100_000;
+/// The camera stands so far before the middle of the scene.
+const DISTANCE: f32 = 4.0;
+
+/// A frame as the host sends it.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// What is written to the uniform registers, if the frame does not keep those of the frame before.
+    pub uniforms: Vec<u64>,
+    /// Whether the frame before had others.
+    pub is_new_view: bool,
+    /// Splats, and the record that closes the frame.
+    pub records: Vec<Splat>,
+}
+
+/// What a frame shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Content {
+    /// Discs of all sizes anywhere around the view.
+    Scene,
+    /// Small discs about one place, few elsewhere: samples of the same pixels follow one another, and copies for other
+    /// tiles wait in the heap for long.
+    Heap(Place),
+    /// Hard cases of all families, before their own camera.
+    Hard,
+    /// Nothing.
+    Empty,
+}
+
+/// Where most discs of a frame are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Place {
+    center: Vec3,
+    /// How far from there.
+    spread: f32,
+}
+
+impl Place {
+    fn random(random: &mut Rng) -> Self {
+        let mut signed = || 2.0 * random.f32() - 1.0;
+        let center = Vec3::new(signed(), signed(), 0.0);
+        Self { center, spread: one_of(random, &[0.02, 0.2]) }
+    }
+}
+
+/// Frames that follow one another, some under the uniforms of the one before.
+#[must_use]
+pub fn frames(config: &Config, count: usize, random: &mut Rng) -> Vec<Frame> {
+    let mut frames = Vec::<Frame>::new();
+    for _ in 0..count {
+        let heap = Content::Heap(Place::random(random));
+        let content = one_of(
+            random,
+            &[Content::Scene, Content::Scene, Content::Scene, heap, heap, Content::Hard, Content::Empty],
+        );
+        let kept = frames.last().filter(|_| random.bool()).map(|frame| frame.uniforms.clone());
+        let is_new_view = kept.is_none();
+        let uniforms = kept.unwrap_or_else(|| view(config, content, random));
+        frames.push(Frame { uniforms, is_new_view, records: records(config, content, random) });
+    }
+    frames
+}
+
+/// The words of uniform registers, one of them odd now and then.
+fn view(config: &Config, content: Content, random: &mut Rng) -> Vec<u64> {
+    let number = |number| encode(config.geometry, number);
+    let uniforms = if content == Content::Hard { uniforms(config) } else { camera(config, random) };
+    let scale = one_of(random, &[1.0, 1.0, 0.7, 4.0]);
+    let filter_scale = encode_uniform(config.filter_scale_format(), scale);
+    let filter_radius = number(f32::sqrt(1.0 / scale));
+    let mut words = words(config, Uniforms { filter_radius, filter_scale, ..uniforms });
+    if random.u8(..12) == 0 {
+        // The last one is of another format.
+        let place = random.usize(..words.len() - 1);
+        words[place] = number(one_of(random, &ODD)).into();
+    }
+    words
+}
+
+/// A camera that looks at the origin from somewhere.
+fn camera(config: &Config, random: &mut Rng) -> Uniforms {
+    let number = |number| encode(config.geometry, number);
+    let (sin, cos) = (TAU * random.f32()).sin_cos();
+    let mut offset = || random.f32() - 0.5;
+    let rows = [[cos, 0.0, -sin, offset()], [0.0, 1.0, 0.0, offset()], [sin, 0.0, cos, DISTANCE + offset()]];
+    let (width, height) = (config.width as f32, config.height as f32);
+    Uniforms {
+        model_view: ModelView { rows: rows.map(|row| row.map(number)) },
+        viewport: Viewport {
+            scale: [0.9 * width, 0.9 * height].map(number),
+            origin: [width / 2.0, height / 2.0].map(number),
+            depth_a: number(10.0 / 9.0),
+            depth_b: number(-10.0 / 9.0),
+        },
+        near_plane: number(1.0),
+        epsilon: EpsilonScale { scale: number(random.f32()), bias: number(0.05 * random.f32()) },
+        filter_radius: 0,
+        filter_scale: 0,
+    }
+}
+
+fn records(config: &Config, content: Content, random: &mut Rng) -> Vec<Splat> {
+    // A large splat covers the whole image.
+    let affordable = 8 * COVERED_SAMPLES / (config.width * config.height);
+    let most = if matches!(content, Content::Heap(_)) { 4 * SPLATS } else { SPLATS.min(affordable.max(8)) };
+    let count = if content == Content::Empty { 0 } else { random.u32(1..=most) };
+    let mut records: Vec<_> = (0..count).map(|_| splat(config, content, random)).collect();
+    records.push(END);
+    records
+}
+
+fn splat(config: &Config, content: Content, random: &mut Rng) -> Splat {
+    let mut splat = match content {
+        Content::Hard => {
+            let (family, level) = (one_of(random, &Family::ALL), random.u8(..LEVELS));
+            case(family, level, config.geometry, random.u64(..)).splat
+        }
+        _ => disc(config, content, random),
+    };
+    splat.attributes = attributes(config, random);
+    if random.u8(..32) == 0 {
+        let [first, second] = &mut splat.tangents;
+        let vector = [&mut splat.center, first, second][random.usize(..3)].as_mut();
+        vector[random.usize(..3)] = encode(config.geometry, one_of(random, &ODD));
+    }
+    if random.u8(..32) == 0 {
+        // Tangents that are parallel but for a few bits: the splat is seen edge-on from anywhere.
+        let noise = (1 << random.u32(..12)) - 1;
+        splat.tangents[1] = splat.tangents[0].map(|component| component ^ (random.u32(..) & noise));
+    }
+    splat
+}
+
+/// A disc or an ellipse, anywhere in and around the view, or about the origin.
+fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
+    let is_elsewhere = random.u8(..32) == 0;
+    let mut signed = || 2.0 * random.f32() - 1.0;
+    let center = match content {
+        Content::Heap(Place { center, spread }) if !is_elsewhere => {
+            center + Vec3::new(signed(), signed(), signed()) * spread
+        }
+        _ => Vec3::new(4.0 * signed(), 4.0 * signed(), 4.5 * signed()),
+    };
+    let [a, b] = [(); 2].map(|()| Vec3::new(signed(), signed(), signed()));
+    let normal = a.try_normalize().unwrap_or(Vec3::Z);
+    let first = normal.cross(b).try_normalize().unwrap_or(normal.any_orthonormal_vector());
+    let exponent = if matches!(content, Content::Heap(_)) { signed() - 5.0 } else { 3.5 * signed() - 2.5 };
+    let radius = exponent.exp2();
+    let shorter = if random.u8(..8) == 0 { random.f32() } else { 1.0 };
+    let vector = |vector: Vec3| vector.to_array().map(|number| encode(config.geometry, number));
+    let tangents = [first * radius, normal.cross(first) * (radius * shorter)].map(vector);
+    Splat { end: false, center: vector(center), tangents, attributes: Attributes::default() }
+}
+
+/// Attributes of both kinds, now and then any bits or an odd number.
+fn attributes(config: &Config, random: &mut Rng) -> Attributes {
+    let any = |random: &mut Rng| random.u32(..) >> (u32::BITS - config.attribute.width());
+    let mut attributes = Attributes::default();
+    let (continuous, cardinal) = attributes.split_at_mut(config.continuous as usize);
+    for attribute in continuous {
+        *attribute = match random.u8(..32) {
+            0 => any(random),
+            1 if matches!(config.attribute, AttributeFormat::Float(_)) => {
+                encode_attribute(config.attribute, one_of(random, &ODD))
+            }
+            _ => encode_attribute(config.attribute, 4.0 * random.f32() - 2.0),
+        };
+    }
+    cardinal[..config.cardinal as usize].fill_with(|| any(random));
+    attributes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::soak::configuration::renderer;
+
+    #[test]
+    fn every_frame_ends_and_fits_its_configuration() {
+        let (mut empty, mut kept, mut splats) = (0, 0, 0);
+        for seed in 0..200 {
+            let random = &mut Rng::with_seed(seed);
+            let config = renderer(random);
+            for frame in frames(&config, 3, random) {
+                let ends: Vec<_> = frame.records.iter().map(|record| record.end).collect();
+                assert_eq!(ends.iter().position(|end| *end), Some(ends.len() - 1));
+                let width = config.attribute.width();
+                let fits = |bits: &u32| u64::from(*bits) < 1 << width;
+                assert!(frame.records.iter().all(|record| record.attributes.iter().all(fits)), "{config:?}");
+                empty += usize::from(frame.records.len() == 1);
+                kept += usize::from(!frame.is_new_view);
+                splats += frame.records.len() - 1;
+            }
+        }
+        assert!(empty > 20 && kept > 50 && splats > 5000, "{empty} empty, {kept} kept, {splats} splats");
+    }
+}

@@ -1,0 +1,202 @@
+//! What is around the renderer: a host that sends frame after frame and memory behind it, each stream at its own pace,
+//! with resets in between.
+
+use super::frames::{Frame, frames};
+use super::pace::Paces;
+use super::surroundings::{Idle, Pending, Surroundings, Watch};
+use fastrand::Rng;
+use pointcore::splat::memory::ReconstructionBuffer;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::UniformWrite;
+use pointcore_contract::{read, write};
+use pointcore_golden::splat::top::{In, Out};
+use pointcore_tb::lockstep::{Flow, Stimulus};
+use pointcore_tb::verilated::Library;
+use std::sync::Arc;
+
+/// Streams that can be held back, and their places among the paces.
+const SPLAT: usize = 0;
+const DATA: usize = 1;
+const READ: usize = 2;
+const WRITE: usize = 3;
+const FRAGMENT: usize = 4;
+const UNIFORM: usize = 5;
+/// How many they are.
+pub const STREAMS: usize = 6;
+/// Frames sent one after the other, at most.
+const FRAMES: usize = 4;
+/// Cycles that memory takes to answer, at most.
+pub const LATENCY_CYCLES: u64 = 400;
+
+/// The host and its memory before a run, or in the midst of it.
+#[derive(Clone)]
+pub struct Renderer {
+    config: Config,
+    frames: Arc<[Frame]>,
+    paces: Paces,
+    idle: Idle,
+    watch: Watch,
+    latency: u64,
+    /// Cycles in which the core is reset.
+    resets: Vec<u64>,
+    buffer: ReconstructionBuffer,
+    inputs: In,
+    /// The frame that is being sent, and how many of its records have been.
+    sending: usize,
+    sent: usize,
+    /// Uniform registers of that frame that have been written.
+    written: usize,
+    /// Frames whose end has come.
+    ended: usize,
+}
+
+/// What a host plays.
+pub struct Script {
+    /// Frames, one after the other.
+    pub frames: Vec<Frame>,
+    /// When streams are held back.
+    pub paces: Paces,
+    /// Cycles that memory takes to answer.
+    pub latency: u64,
+    /// Cycles in which the core is reset, the last one first.
+    pub resets: Vec<u64>,
+}
+
+impl Script {
+    /// A random one.
+    #[must_use]
+    pub fn random(config: &Config, random: &mut Rng) -> Self {
+        let count = random.usize(1..=FRAMES);
+        let frames = frames(config, count, random);
+        let paces = Paces::random(random, STREAMS);
+        let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=LATENCY_CYCLES) };
+        Self { frames, paces, latency, resets: super::surroundings::resets(random) }
+    }
+}
+
+impl Renderer {
+    /// The host of a core, out of reset; silence for so many cycles means that it is stuck.
+    #[must_use]
+    pub fn new(library: &Library, config: &Config, script: Script, quiet_cycles: u64, random: Rng) -> Self {
+        let Script { frames, paces, latency, resets } = script;
+        Self {
+            config: config.clone(),
+            frames: frames.into(),
+            watch: Watch::new(quiet_cycles + latency + paces.longest()),
+            paces,
+            idle: Idle::new(library, random),
+            latency,
+            resets,
+            buffer: ReconstructionBuffer::new(1 << config.tile_bits(), latency),
+            inputs: In::default(),
+            sending: 0,
+            sent: 0,
+            written: 0,
+            ended: 0,
+        }
+    }
+
+    /// Begins again with the first frame that has not ended, on a core that has forgotten everything.
+    fn restart(&mut self) {
+        self.buffer = ReconstructionBuffer::new(1 << self.config.tile_bits(), self.latency);
+        (self.sending, self.sent, self.written) = (self.ended, 0, 0);
+    }
+
+    /// Takes what moved in the cycle before.
+    fn account(&mut self, cycle: u64, outputs: &Out) {
+        let inputs = &self.inputs;
+        let splat = inputs.splat.is_some() && outputs.splat_ready;
+        let read = outputs.read.filter(|_| inputs.read_ready);
+        let data = inputs.data.is_some() && outputs.data_ready;
+        let pixel = outputs.write.filter(|_| inputs.write_ready);
+        let fragment = outputs.fragment.filter(|_| inputs.fragment_ready);
+        if splat {
+            self.sent += 1;
+            if self.sent == self.frames[self.sending].records.len() {
+                (self.sending, self.sent) = (self.sending + 1, 0);
+                // Where uniforms are kept, they have been written; else they are, once the frames before have ended.
+                let is_new_view = self.frames.get(self.sending).is_some_and(|frame| frame.is_new_view);
+                self.written = if is_new_view { 0 } else { self.written };
+            }
+        }
+        if let Some(read) = read {
+            self.buffer.request(read.tile, cycle);
+        }
+        if data {
+            self.buffer.take();
+        }
+        if let Some(pixel) = &pixel {
+            self.buffer.write(pixel);
+        }
+        self.ended += usize::from(fragment.is_some_and(|fragment| fragment.end));
+        let uniform = inputs.uniform.is_some();
+        if splat || data || uniform || read.is_some() || pixel.is_some() || fragment.is_some() {
+            self.watch.moved(cycle);
+        }
+    }
+
+    /// Sets what is offered and what is taken; an offer once made stands.
+    fn offer(&mut self, cycle: u64, outputs: &Out) {
+        let idle: [bool; STREAMS] = std::array::from_fn(|stream| self.paces.idle(stream, cycle));
+        let frame = self.frames.get(self.sending);
+        let uniforms = frame.map_or(&[][..], |frame| &frame.uniforms);
+        // Registers are written while no frame is under way.
+        let may_write = self.ended == self.sending && self.sent == 0 && !idle[UNIFORM];
+        let data = uniforms.get(self.written).filter(|_| may_write && self.inputs.splat.is_none());
+        self.inputs.uniform = data.map(|&data| UniformWrite { address: self.written as u8, data: data as u32 });
+        let are_written = self.written == uniforms.len();
+        self.written += usize::from(data.is_some());
+        if self.inputs.splat.is_none() || outputs.splat_ready {
+            let record = frame.and_then(|frame| frame.records.get(self.sent)).copied();
+            self.inputs.splat = record.filter(|_| are_written && !idle[SPLAT]);
+        }
+        if self.inputs.data.is_none() || outputs.data_ready {
+            self.inputs.data = self.buffer.offer(cycle).filter(|_| !idle[DATA]);
+        }
+        self.inputs.read_ready = !idle[READ];
+        self.inputs.write_ready = !idle[WRITE];
+        self.inputs.fragment_ready = !idle[FRAGMENT];
+    }
+}
+
+impl Stimulus for Renderer {
+    fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        let outputs: Out = read(&self.config, outputs);
+        if inputs[0] == 1 {
+            // What was offered to a core in reset was not taken, and need not be offered again.
+            self.inputs = In::default();
+        } else if cycle > 0 {
+            self.account(cycle - 1, &outputs);
+        }
+        if self.watch.is_over(cycle, self.ended == self.frames.len()) {
+            return Flow::Done;
+        }
+        let is_reset = self.resets.pop_if(|next| *next <= cycle).is_some();
+        if is_reset {
+            self.restart();
+        } else {
+            self.offer(cycle, &outputs);
+        }
+        // The reset comes first.
+        inputs[0] = u64::from(is_reset);
+        write(&self.config, self.inputs, &mut inputs[1..]);
+        self.idle.fill(inputs);
+        Flow::Continue
+    }
+}
+
+impl Surroundings for Renderer {
+    fn stuck(&self) -> Option<u64> {
+        self.watch.stuck()
+    }
+
+    fn pending(&self) -> Pending {
+        let ended = self.ended;
+        Pending { done: ended, expected: self.frames.len(), what: "frames" }
+    }
+
+    fn without_watch(mut self) -> Self {
+        self.watch = Watch::new(u64::MAX);
+        self
+    }
+}

@@ -1,0 +1,222 @@
+//! Random trees and queries for a search core of any configuration: points on a coarse grid, so that distances tie,
+//! duplicates, numbers that are none, leaves without points.
+
+use super::configuration::one_of;
+use fastrand::Rng;
+use pointcore::number::{decode, encode};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{
+    Bucket, CacheSetup, CachedQuery, LANES_MAX, Lookup, Node, Points, Query, TreeRecord, TreeWrite,
+};
+use std::collections::HashMap;
+
+/// Points of a tree at most.
+const POINTS: u32 = 300;
+/// Queries asked one after the other at most.
+const QUERIES: u32 = 60;
+/// Numbers that are none, or hardly.
+const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, f32::MAX, f32::MIN, 1e-40, 1e-25];
+
+/// A point in the core's format.
+type Point = [u32; 3];
+
+/// How coordinates are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Spread {
+    /// On a coarse grid.
+    Grid,
+    /// Anywhere near the origin.
+    Fine,
+    /// Of all magnitudes.
+    Wild,
+    /// All at one place.
+    Same,
+}
+
+/// A tree and its points in memory.
+#[derive(Clone, Debug)]
+pub struct RandomTree {
+    lanes: usize,
+    /// By lane, beat after beat; NaN where there is none.
+    points: Vec<Point>,
+    /// What the host writes.
+    pub writes: Vec<TreeWrite>,
+    by_address: HashMap<(bool, u32), TreeWrite>,
+    spread: Spread,
+}
+
+/// A part of the tree that is to be built.
+struct Part {
+    address: u32,
+    level: u32,
+}
+
+fn coordinate(config: &Config, spread: Spread, random: &mut Rng) -> u32 {
+    let signed = |random: &mut Rng| 2.0 * random.f32() - 1.0;
+    let number = match spread {
+        _ if random.u16(..400) == 0 => one_of(random, &ODD),
+        Spread::Grid => f32::from(random.i8(-12..=12)) / 4.0,
+        Spread::Fine => 3.0 * signed(random),
+        Spread::Wild => signed(random) * (60.0 * signed(random)).exp2(),
+        Spread::Same => 0.75,
+    };
+    encode(config.geometry, number)
+}
+
+impl RandomTree {
+    /// A tree that the configuration's memories and indices hold.
+    #[must_use]
+    pub fn random(config: &Config, random: &mut Rng) -> Self {
+        let spread = one_of(random, &[Spread::Grid, Spread::Grid, Spread::Fine, Spread::Wild, Spread::Same]);
+        // As many as its leaves hold, with room for an uneven division.
+        let most = (u64::from(config.bucket) << config.tree_depth) * 3 / 4;
+        let mut count = random.u32(1..=most.clamp(1, POINTS.into()) as u32);
+        let room = 1_u64 << config.beat_bits();
+        loop {
+            let points = (0..count).map(|_| [(); 3].map(|()| coordinate(config, spread, random))).collect();
+            let tree = Self::of(config, points, spread, random);
+            if tree.beats() <= room {
+                return tree;
+            }
+            // One point in one leaf always has room.
+            count = (count / 2).max(1);
+        }
+    }
+
+    fn of(config: &Config, mut points: Vec<Point>, spread: Spread, random: &mut Rng) -> Self {
+        let lanes = config.lanes as usize;
+        let mut tree = Self { lanes, points: vec![], writes: vec![], by_address: HashMap::new(), spread };
+        tree.build(config, random, &Part { address: 1, level: 0 }, &mut points);
+        tree.by_address = tree.writes.iter().map(|write| ((write.is_leaf, write.address), *write)).collect();
+        tree
+    }
+
+    fn build(&mut self, config: &Config, random: &mut Rng, part: &Part, points: &mut [Point]) {
+        let &Part { address, level } = part;
+        let is_internal = level < config.tree_depth;
+        let fits = points.len() <= config.bucket as usize;
+        if !is_internal || (fits && random.u8(..3) > 0) {
+            if is_internal {
+                let node = Node { internal_leaf: true, ..Node::default() };
+                self.writes.push(TreeWrite { is_leaf: false, address, node, bucket: Bucket::default() });
+            }
+            let leaf = (address << (config.tree_depth - level)) & ((1 << config.tree_depth) - 1);
+            return self.leaf(config, leaf, points);
+        }
+        let dimension = random.usize(..3);
+        let key = |point: &Point| decode(config.geometry, point[dimension]);
+        points.sort_by(|a, b| key(a).total_cmp(&key(b)));
+        let middle = points.len() / 2;
+        let split = points.get(middle).map_or(0, |point| point[dimension]);
+        let node = Node { split, dimension: dimension as u8, internal_leaf: false };
+        self.writes.push(TreeWrite { is_leaf: false, address, node, bucket: Bucket::default() });
+        let (left, right) = points.split_at_mut(middle);
+        self.build(config, random, &Part { address: 2 * address, level: level + 1 }, left);
+        self.build(config, random, &Part { address: 2 * address + 1, level: level + 1 }, right);
+    }
+
+    /// A leaf has a beat even without points.
+    fn leaf(&mut self, config: &Config, address: u32, points: &[Point]) {
+        let beats = points.len().div_ceil(self.lanes).max(1);
+        let begin = self.points.len() / self.lanes;
+        self.points.extend(points);
+        let none = [encode(config.geometry, f32::NAN); 3];
+        self.points.resize((begin + beats) * self.lanes, none);
+        let bucket = Bucket { begin: begin as u32, beats: beats as u8 };
+        self.writes.push(TreeWrite { is_leaf: true, address, node: Node::default(), bucket });
+    }
+
+    /// Beats of points in memory.
+    #[must_use]
+    pub fn beats(&self) -> u64 {
+        (self.points.len() / self.lanes) as u64
+    }
+
+    /// A beat of points.
+    #[must_use]
+    pub fn beat(&self, address: u32) -> Points {
+        let mut lane = [Point::default(); LANES_MAX];
+        let begin = address as usize * self.lanes;
+        lane[..self.lanes].copy_from_slice(&self.points[begin..begin + self.lanes]);
+        Points { lane }
+    }
+
+    /// What a tree in memory holds of a node or a leaf; zeros where the tree has none.
+    #[must_use]
+    pub fn record(&self, config: &Config, lookup: Lookup) -> TreeRecord {
+        let is_leaf = lookup.address >> config.tree_depth == 1;
+        let address = lookup.address - (u32::from(is_leaf) << config.tree_depth);
+        let write = self.by_address.get(&(is_leaf, address)).copied().unwrap_or_default();
+        TreeRecord { lookup, node: write.node, bucket: write.bucket }
+    }
+
+    /// How the neighbor cache is to judge.
+    #[must_use]
+    pub fn setup(config: &Config, random: &mut Rng) -> CacheSetup {
+        let scale = |number| encode(config.geometry, number);
+        let ball = random.bool();
+        let margin = if ball { 1.0 } else { 0.5 };
+        CacheSetup { ball, far_scale: scale(1.0 - random.f32() / 1000.0), margin_scale: scale(margin) }
+    }
+
+    /// Queries that are asked together: near a few places, so that a neighbor cache is of use, or anywhere.
+    #[must_use]
+    pub fn queries(&self, config: &Config, random: &mut Rng) -> Vec<CachedQuery> {
+        let place = |random: &mut Rng| match random.u8(..4) {
+            // A point itself: distances of zero.
+            0 => self.points[random.usize(..self.points.len())],
+            _ => [(); 3].map(|()| coordinate(config, self.spread, random)),
+        };
+        let places: Vec<_> = (0..random.usize(1..=6)).map(|_| place(random)).collect();
+        let all_k = random.u8(1..=config.neighbors as u8);
+        let radii = [f32::INFINITY, f32::INFINITY, 9.0, 1.0, 0.01, 0.0];
+        let common = one_of(random, &radii);
+        let query = |number: u32, random: &mut Rng| {
+            let mut point = if random.bool() { one_of(random, &places) } else { place(random) };
+            if random.bool() {
+                let component = &mut point[random.usize(..3)];
+                *component ^= random.u32(..) & ((1 << random.u32(..8)) - 1);
+            }
+            let (k, radius2) = match config.neighbor_cache {
+                0 => (random.u8(1..=config.neighbors as u8), one_of(random, &radii)),
+                _ => (all_k, common),
+            };
+            let number = number & (u32::MAX >> (u32::BITS - config.index_bits));
+            let reach = encode(config.geometry, random.f32());
+            let query = Query { number, k, radius2: encode(config.geometry, radius2), point };
+            CachedQuery { query, reach: if config.neighbor_cache > 0 { reach } else { 0 } }
+        };
+        let count = random.u32(1..=QUERIES);
+        (0..count).map(|number| query(number, random)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::soak::configuration::search_core;
+
+    #[test]
+    fn every_tree_fits_its_configuration() {
+        let (mut leaves, mut empty, mut queries) = (0, 0, 0);
+        for seed in 0..300 {
+            let random = &mut Rng::with_seed(seed);
+            let config = search_core(random);
+            let tree = RandomTree::random(&config, random);
+            for write in tree.writes.iter().filter(|write| write.is_leaf) {
+                assert!(u64::from(write.address) < 1 << config.tree_depth);
+                let end = u64::from(write.bucket.begin) + u64::from(write.bucket.beats);
+                assert!(end <= 1 << config.beat_bits(), "{config:?}");
+                assert!(u32::from(write.bucket.beats) <= config.bucket.div_ceil(config.lanes), "{config:?}");
+                leaves += 1;
+                let nan = encode(config.geometry, f32::NAN);
+                empty += usize::from(tree.beat(write.bucket.begin).lane[0] == [nan; 3]);
+            }
+            let asked = tree.queries(&config, random);
+            let is_sound = |query: &CachedQuery| (1..=config.neighbors).contains(&u32::from(query.query.k));
+            assert!(!asked.is_empty() && asked.iter().all(is_sound));
+            queries += asked.len();
+        }
+        assert!(leaves > 600 && empty > 20 && queries > 3000, "{leaves} leaves, {empty} empty, {queries} queries");
+    }
+}
