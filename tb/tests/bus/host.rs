@@ -235,6 +235,11 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         }
     }
 
+    /// Cycles since the reset.
+    pub const fn cycles(&self) -> u64 {
+        self.bench.cycle
+    }
+
     fn address(&self, name: &str) -> u64 {
         let register = self.map.iter().find(|register| register.name == name);
         register.unwrap_or_else(|| panic!("no register {name}")).address.into()
