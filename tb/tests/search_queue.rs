@@ -5,7 +5,7 @@ use pointcore_golden::search::Queue;
 use pointcore_hdl::search::queue;
 
 use crate::search::environment::{Feeds, Rule};
-use crate::search::{all, configs, coordinate, lockstep, number, start, word};
+use crate::search::{all, configs, distance2, lockstep, number, start, word};
 
 const QUERIES: u64 = 60;
 
@@ -50,7 +50,7 @@ impl Searches {
         for beat in 0..beats {
             let mut item = vec![thread, feeds.random.u64(..1 << self.config.beat_bits()), u64::from(beat + 1 == beats)];
             for _ in 0..self.config.lanes {
-                let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { coordinate(&mut feeds.random).abs() };
+                let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { distance2(&self.config, &mut feeds.random) };
                 search.distances.push(distance2);
                 item.push(word(&self.config, distance2));
             }

@@ -7,7 +7,7 @@ use pointcore_golden::search::Sieve;
 use pointcore_hdl::search::sieve;
 
 use crate::search::environment::{Feeds, Rule};
-use crate::search::{all, configs, coordinate, lockstep, number, start, word};
+use crate::search::{all, configs, distance2, lockstep, number, radius2, start, word};
 
 const LEAVES: u64 = 300;
 
@@ -55,7 +55,7 @@ impl Searches {
                 let mut item = vec![thread, self.next_address, u64::from(beat == beats)];
                 self.next_address = (self.next_address + 1) % (1 << self.config.beat_bits());
                 item.extend((0..self.config.lanes).map(|_| {
-                    let near = coordinate(&mut feeds.random).abs();
+                    let near = distance2(&self.config, &mut feeds.random);
                     word(&self.config, if feeds.random.u8(..8) == 0 { f32::NAN } else { near })
                 }));
                 self.beats.push_back(Beat { query, item: item.clone() });
@@ -90,7 +90,7 @@ impl Rule for Searches {
                 }
                 if fields[2] == 1 {
                     let query = self.threads[fields[0] as usize].0;
-                    let farthest = [f32::INFINITY, 2.0, 1.0, 0.3][feeds.random.usize(..4)];
+                    let farthest = radius2(&mut feeds.random);
                     self.next_radii[query] = farthest.min(self.next_radii[query]);
                     feeds.feed("radius", vec![fields[0], word(&self.config, self.next_radii[query])]);
                 }

@@ -73,6 +73,19 @@ pub fn coordinate(random: &mut fastrand::Rng) -> f32 {
     f32::from(random.i8(-12..=12)) / 4.0
 }
 
+/// A squared distance of the format: most are on a coarse grid, so that they tie; the others have all the bits of a mantissa.
+pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
+    let grid = coordinate(random).abs();
+    let any = if random.u8(..4) == 0 { grid * (0.5 + random.f32()) } else { grid };
+    number(config, word(config, any))
+}
+
+/// A squared radius, one of a few or any.
+pub fn radius2(random: &mut fastrand::Rng) -> f32 {
+    let few = [f32::INFINITY, 9.0, 1.0, 0.01][random.usize(..4)];
+    if random.bool() { few } else { 9.0 * random.f32() }
+}
+
 /// The word of a number: what the format has no bits for is cut off.
 pub fn word(config: &Config, number: f32) -> u64 {
     u64::from(number.to_bits() >> (f32::MANTISSA_DIGITS - 1 - config.geometry.mantissa))
@@ -85,9 +98,8 @@ pub fn number(config: &Config, word: u64) -> f32 {
 
 /// `start` for a thread, or without the thread `query`: number, k, squared radius, coordinates.
 pub fn query(config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
-    let radius2 = [f32::INFINITY, 9.0, 1.0, 0.01][random.usize(..4)];
     let k = random.u64(1..=config.neighbors.into());
-    let mut query = vec![number, k, word(config, radius2)];
+    let mut query = vec![number, k, word(config, radius2(random))];
     query.extend((0..3).map(|_| word(config, coordinate(random))));
     query
 }
