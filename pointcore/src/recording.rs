@@ -3,7 +3,6 @@
 use pointcore_contract::Direction;
 use pointcore_contract::Port;
 use rtl::StreamDeclaration;
-use std::fmt::Write as _;
 
 /// The words of every port in every cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,24 +69,85 @@ impl Recording {
         self.rows.iter().filter(|row| row[valid] != 0 && row[ready] != 0).count()
     }
 
-    /// A vector a line, as `$readmemh` reads it.
+    /// The ports that change together, each group with the port that says whether it counts: the fields of each stream with
+    /// its flag, and before them, without one, all other ports.
     #[must_use]
-    pub fn hexadecimal(&self) -> String {
-        let mut text = String::new();
+    pub fn groups(&self, streams: &[StreamDeclaration]) -> Vec<Group> {
+        let place = |name: &str| self.ports.iter().position(|port| port.name == name).expect("the core has the port");
+        let of_stream = |stream: &StreamDeclaration| {
+            let members: Vec<_> = stream.field_ports().map(|name| place(&name)).collect();
+            Group { members, flag: Some(place(&stream.flag_port())) }
+        };
+        let fields: Vec<_> = streams.iter().map(of_stream).filter(|group| !group.members.is_empty()).collect();
+        let is_field = |port: &usize| fields.iter().any(|group| group.members.contains(port));
+        let others = (0..self.ports.len()).filter(|port| !is_field(port)).collect();
+        [Group { members: others, flag: None }].into_iter().chain(fields).collect()
+    }
+
+    /// The recording as a sequence of bits: in every cycle a bit for each group, whether it changes, then the new words of
+    /// those that do, lowest bits first. A group that does not count keeps its words.
+    #[must_use]
+    pub fn encode(&self, groups: &[Group]) -> BitSequence {
+        let mut sequence = BitSequence::default();
+        let mut shown: Vec<u64> = vec![0; self.ports.len()];
         for row in &self.rows {
-            let bits: Vec<bool> = self.ports.iter().zip(row).flat_map(|(port, word)| bits(port, *word)).collect();
-            for digit in bits.chunks(4).rev() {
-                let value = digit.iter().rev().fold(0_u8, |value, bit| value << 1 | u8::from(*bit));
-                write!(text, "{value:x}").expect("a string can be written");
+            let changes = |group: &&Group| {
+                let counts = group.flag.is_none_or(|flag| row[flag] != 0);
+                counts && group.members.iter().any(|&port| row[port] != shown[port])
+            };
+            groups.iter().for_each(|group| sequence.push(u64::from(changes(&group)), 1));
+            let changed: Vec<_> = groups.iter().filter(changes).flat_map(|group| &group.members).copied().collect();
+            for port in changed {
+                sequence.push(row[port], self.ports[port].width);
+                shown[port] = row[port];
             }
-            text.push('\n');
         }
-        text
+        sequence
     }
 }
 
-fn bits(port: &Port, word: u64) -> impl Iterator<Item = bool> + use<> {
-    (0..port.width).map(move |bit| word >> bit & 1 != 0)
+/// Ports that change together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Their places among the recording's ports.
+    pub members: Vec<usize>,
+    /// The port without which they mean nothing.
+    pub flag: Option<usize>,
+}
+
+/// Bits, one after the other.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct BitSequence {
+    words: Vec<u64>,
+    bits: usize,
+}
+
+impl BitSequence {
+    /// Bits of a line.
+    pub const WORD_BITS: usize = 64;
+
+    fn push(&mut self, word: u64, width: u32) {
+        for bit in 0..width {
+            if self.bits.is_multiple_of(Self::WORD_BITS) {
+                self.words.push(0);
+            }
+            let place = self.bits % Self::WORD_BITS;
+            *self.words.last_mut().expect("one was pushed before the first bit") |= (word >> bit & 1) << place;
+            self.bits += 1;
+        }
+    }
+
+    /// Number of lines.
+    #[must_use]
+    pub fn lines(&self) -> usize {
+        self.words.len()
+    }
+
+    /// A word a line, as `$readmemh` reads it; the first bit is the lowest of the first line.
+    #[must_use]
+    pub fn hexadecimal(&self) -> String {
+        self.words.iter().map(|word| format!("{word:016x}\n")).collect()
+    }
 }
 
 #[cfg(test)]
@@ -95,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_vector_has_its_first_port_in_its_lowest_bits() {
+    fn only_what_changes_and_counts_is_kept() {
         let port = |name: &str, width, direction| Port { name: name.into(), width, direction };
         let mut recording = Recording::new(vec![
             port("in_valid", 1, Direction::Input),
@@ -104,8 +164,14 @@ mod tests {
         ]);
         let stream = StreamDeclaration::stream("in", rtl::Direction::Input, ["data"]);
         recording.push(&[1, 0x55], &[1]);
-        recording.push(&[1, 0], &[0]);
-        assert_eq!((recording.width(), recording.cycles(), recording.transfers(&stream)), (9, 2, 1));
-        assert_eq!(recording.hexadecimal(), "1ab\n001\n");
+        recording.push(&[0, 3], &[1]);
+        recording.push(&[0, 4], &[1]);
+        assert_eq!((recording.width(), recording.cycles(), recording.transfers(&stream)), (9, 3, 1));
+        let groups = recording.groups(&[stream]);
+        assert_eq!(groups, [Group { members: vec![0, 2], flag: None }, Group { members: vec![1], flag: Some(0) }]);
+        // Both, `in_valid` and `in_ready`, `in_data`; the first alone; none.
+        let bits = ["11", "11", "1010101", "10", "01", "00"].concat();
+        let value = u64::from_str_radix(&bits.chars().rev().collect::<String>(), 2);
+        assert_eq!(recording.encode(&groups).hexadecimal(), format!("{:016x}\n", value.unwrap_or_default()));
     }
 }

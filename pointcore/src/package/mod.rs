@@ -181,8 +181,9 @@ impl Package {
     fn add_test(&mut self, design: &Design, recording: &Recording) {
         let name = format!("{}_test", self.top.trim_end_matches("_top"));
         let vectors = format!("{name}.hex");
-        self.add(format!("{name}.sv"), testbench::text(&name, &vectors, design, recording), Role::Test);
-        self.add(vectors, recording.hexadecimal(), Role::Test);
+        let (text, contents) = testbench::files(&name, &vectors, design, recording);
+        self.add(format!("{name}.sv"), text, Role::Test);
+        self.add(vectors, contents, Role::Test);
     }
 
     /// All files, the FuseSoC core among them.

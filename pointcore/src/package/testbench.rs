@@ -1,7 +1,7 @@
 //! A self-checking test in SystemVerilog: it replays a recording and compares every output in every cycle.
 
 use super::GENERATOR;
-use crate::recording::Recording;
+use crate::recording::{BitSequence, Group, Recording};
 use pointcore_contract::{self as contract, Direction as Specified};
 use pointcore_tb::lockstep::RESET_CYCLES;
 use rtl::{Design, Direction, Port, StreamDeclaration};
@@ -45,12 +45,38 @@ fn connections(design: &Design, recording: &Recording) -> String {
         let name = &port.name;
         match (name.as_str(), port.direction, Place::of(recording, name)) {
             ("clk" | "rst", ..) => format!("        .{name}({name})"),
-            (_, Direction::Input, Some(place)) => format!("        .{name}(vector{})", place.range()),
+            (_, Direction::Input, Some(place)) => match flag_of(design, recording, name) {
+                None => format!("        .{name}(vector{})", place.range()),
+                Some(flag) => {
+                    let (flag, range) = (flag.range(), place.range());
+                    format!("        .{name}(vector{flag} ? vector{range} : ~vector{range})")
+                }
+            },
             (_, Direction::Output, Some(place)) => format!("        .{name}(found{})", place.range()),
             (_, _, None) => unreachable!("the specification lists `{name}`"),
         }
     };
     design.ports().iter().map(line).collect::<Vec<_>>().join(",\n")
+}
+
+/// The flag of the stream that the port is a field of.
+fn flag_of(design: &Design, recording: &Recording, name: &str) -> Option<Place> {
+    let mut streams = design.streams().iter();
+    let stream = streams.find(|stream| stream.field_ports().any(|port| port == name))?;
+    Place::of(recording, &stream.flag_port())
+}
+
+/// Statements that take the words of each group that changes into the vector.
+fn changes(recording: &Recording, groups: &[Group]) -> String {
+    let take = |port: &usize| {
+        let place = Place::of(recording, &recording.ports()[*port].name).expect("it is a port of the recording");
+        format!("take({}, {});", place.low, place.width)
+    };
+    let group = |(index, group): (usize, &Group)| {
+        let takes: Vec<_> = group.members.iter().map(take).collect();
+        format!("            if (changed[{index}]) begin {} end\n", takes.join(" "))
+    };
+    groups.iter().enumerate().map(group).collect()
 }
 
 /// The streams that leave the core.
@@ -80,22 +106,30 @@ fn comparisons(design: &Design, recording: &Recording) -> String {
     recording.ports().iter().filter(|port| port.direction == Specified::Output).map(line).collect()
 }
 
-/// The test's text. It reads `vectors` from the folder that it runs in.
-pub fn text(name: &str, vectors: &str, design: &Design, recording: &Recording) -> String {
+/// The test's text, and the recording that it reads as `vectors` from the folder that it runs in.
+pub fn files(name: &str, vectors: &str, design: &Design, recording: &Recording) -> (String, String) {
     let (top, cycles, high) = (design.top(), recording.cycles(), recording.width() - 1);
     let items: usize = output_streams(design).map(|stream| recording.transfers(stream)).sum();
-    format!(
+    let groups = recording.groups(design.streams());
+    let sequence = recording.encode(&groups);
+    let text = format!(
         r#"// Written by {GENERATOR}; do not edit.
 // Replays {cycles} cycles of the bit-exact model at the ports of {top}, in which {items} items leave the core, and compares every output in every
-// cycle; a stream's fields count while it is valid. For Verilator, whose registers start at random values: in a simulator with unknown
-// values, what is not reset stays unknown longer than in hardware.
+// cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
+// random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
+//
+// {vectors} is a sequence of bits: in every cycle one for each group of ports, whether it changes, then the words of those that do.
 
 module {name};
     reg clk = 1'b0;
     reg rst = 1'b1;
-    reg [{high}:0] vectors [0:{last}];
+    reg [{word_high}:0] words [0:{last}];
     reg [{high}:0] vector = 0;
+    reg [{high}:0] next = 0;
     wire [{high}:0] found;
+    reg [{group_high}:0] changed;
+    integer place = 0;
+    integer i;
     integer cycle;
     integer differences = 0;
 
@@ -105,6 +139,24 @@ module {name};
 
     always #5 clk = !clk;
 
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) begin
+            next[i] = words[place / {word_bits}][place % {word_bits}];
+            place = place + 1;
+        end
+    endtask
+
+    task advance;
+        begin
+            for (i = 0; i <= {group_high}; i = i + 1) begin
+                changed[i] = words[place / {word_bits}][place % {word_bits}];
+                place = place + 1;
+            end
+{changes}            vector = next;
+        end
+    endtask
+
     task differ(input [8*32-1:0] port);
         begin
             differences = differences + 1;
@@ -113,12 +165,12 @@ module {name};
     endtask
 
     initial begin
-        $readmemh("{vectors}", vectors);
+        $readmemh("{vectors}", words);
         repeat ({RESET_CYCLES}) @(negedge clk);
         rst = 1'b0;
         repeat ({settling}) @(negedge clk);
         for (cycle = 0; cycle < {cycles} && differences == 0; cycle = cycle + 1) begin
-            vector = vectors[cycle];
+            advance;
             #4;
 {comparisons}            @(negedge clk);
         end
@@ -128,9 +180,14 @@ module {name};
     end
 endmodule
 "#,
+        word_bits = BitSequence::WORD_BITS,
+        word_high = BitSequence::WORD_BITS - 1,
+        group_high = groups.len() - 1,
+        changes = changes(recording, &groups),
         settling = recording.settling_cycles(),
-        last = cycles - 1,
+        last = sequence.lines() - 1,
         connections = connections(design, recording),
         comparisons = comparisons(design, recording),
-    )
+    );
+    (text, sequence.hexadecimal())
 }
