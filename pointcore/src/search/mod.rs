@@ -21,6 +21,7 @@ mod reuse;
 mod rounding;
 mod run;
 pub mod samples;
+mod scattered;
 mod session;
 mod work;
 

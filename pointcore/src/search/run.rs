@@ -7,10 +7,7 @@ use super::host::{End, SearchHost};
 use super::query::Neighbor;
 use super::work::Work;
 use crate::generated::Progress;
-use crate::recording::Recording;
 use crate::waveform::Waveform;
-use pointcore_contract::count;
-use pointcore_contract::search::units;
 use pointcore_golden::search::Top;
 use pointcore_golden::search::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -70,27 +67,6 @@ impl<'a> SearchRunner<'a> {
             cycle += 1;
         }
         finish(host, cycle, started)
-    }
-
-    /// What the golden model's ports carry in every cycle.
-    ///
-    /// # Errors
-    /// The core is stuck.
-    pub fn record(&self, core: &SearchCore) -> Result<Recording, SearchError> {
-        let list = units::top::UNIT.ports(self.work.config);
-        let (inputs, outputs) = count(&list);
-        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-        let mut golden = Ported::new(self.work.config, Top::new(self.work.config, core.latencies()));
-        let mut recording = Recording::new(list);
-        let mut host = self.host();
-        let mut cycle = 0;
-        while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
-            golden.step(&inputs, &mut outputs);
-            recording.push(&inputs, &outputs);
-            cycle += 1;
-        }
-        finish(host, cycle, Instant::now())?;
-        Ok(recording)
     }
 
     /// The hardware alone, with a waveform if one is asked for.
