@@ -2,6 +2,7 @@
 //! harness needs in `<proof>.vh`. The sizes are small, so that a solver can go through all of a unit's states.
 
 mod bus;
+mod splat;
 
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
@@ -72,6 +73,7 @@ fn proofs() -> Vec<Proof> {
         .into_iter()
         .chain(queues)
         .chain(bus::proofs())
+        .chain(splat::proofs())
         .collect()
 }
 

@@ -1,0 +1,27 @@
+//! The renderer's units that keep and order what must not be lost, with as few levels, tiles and slots as show every case.
+
+use super::Proof;
+use pointcore_contract::splat::Config;
+use pointcore_hdl::splat::heap;
+
+/// An image of two by two tiles.
+const EDGE: u32 = 16;
+
+/// Heaps of so many levels, cycles an operation, and bits of arrival numbers, which wrap soon.
+fn heaps() -> [Proof; 3] {
+    let heap = |name, heap_levels, heap_interval, sequence_bits| {
+        let config = Config { width: EDGE, height: EDGE, heap_levels, heap_interval, ..Config::default() };
+        let sizes = [
+            ("LEVELS", heap_levels),
+            ("INTERVAL", heap_interval),
+            ("TILE_BITS", config.tile_bits()),
+            ("SEQUENCE_BITS", sequence_bits),
+        ];
+        Proof::new(name, heap::numbered(&config, sequence_bits), &sizes)
+    };
+    [heap("splat_heap", 2, 2, 2), heap("splat_heap_slow", 2, 4, 2), heap("splat_heap_deep", 3, 2, 3)]
+}
+
+pub(super) fn proofs() -> impl Iterator<Item = Proof> {
+    heaps().into_iter()
+}
