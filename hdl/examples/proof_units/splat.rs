@@ -2,7 +2,7 @@
 
 use super::Proof;
 use pointcore_contract::splat::Config;
-use pointcore_hdl::splat::heap;
+use pointcore_hdl::splat::{heap, reorder};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -22,6 +22,14 @@ fn heaps() -> [Proof; 3] {
     [heap("splat_heap", 2, 2, 2), heap("splat_heap_slow", 2, 4, 2), heap("splat_heap_deep", 3, 2, 3)]
 }
 
+/// Copies that wait by four pointers, with and without a sink that begins late.
+fn reorders() -> [Proof; 2] {
+    let config = Config { width: EDGE, height: EDGE, heap_levels: 2, continuous: 1, ..Config::default() };
+    let sizes = [("POINTERS", 1 << config.heap_levels), ("ATTRIBUTE_BITS", config.attribute.width())];
+    let reorder = |name| Proof::new(name, reorder::module(&config), &sizes);
+    [reorder("splat_reorder"), Proof { flags: vec!["STALLED"], ..reorder("splat_reorder_stalled") }]
+}
+
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter()
+    heaps().into_iter().chain(reorders())
 }
