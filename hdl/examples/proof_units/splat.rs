@@ -2,7 +2,8 @@
 
 use super::Proof;
 use pointcore_contract::splat::Config;
-use pointcore_hdl::splat::{heap, reorder};
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_hdl::splat::{heap, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -22,6 +23,15 @@ fn heaps() -> [Proof; 3] {
     [heap("splat_heap", 2, 2, 2), heap("splat_heap_slow", 2, 4, 2), heap("splat_heap_deep", 3, 2, 3)]
 }
 
+/// A cache of two slots for four tiles, of which it moves the last two pixels, with neighbors of all kinds and with some that never wait.
+fn tile_caches() -> [Proof; 2] {
+    const FIRST_PIXEL: u32 = TILE_PIXELS - 2;
+    let config = Config { width: EDGE, height: EDGE, tile_slots: 2, continuous: 1, ..Config::default() };
+    let sizes = [("FIRST_PIXEL", FIRST_PIXEL), ("ATTRIBUTE_BITS", config.attribute.width())];
+    let cache = |name| Proof::new(name, tile_cache::from_pixel(&config, FIRST_PIXEL), &sizes);
+    [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
+}
+
 /// Copies that wait by four pointers, with and without a sink that begins late.
 fn reorders() -> [Proof; 2] {
     let config = Config { width: EDGE, height: EDGE, heap_levels: 2, continuous: 1, ..Config::default() };
@@ -31,5 +41,5 @@ fn reorders() -> [Proof; 2] {
 }
 
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter().chain(reorders())
+    heaps().into_iter().chain(tile_caches()).chain(reorders())
 }

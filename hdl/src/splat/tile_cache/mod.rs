@@ -104,6 +104,12 @@ fn follow_job(
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
+    from_pixel(config, 0)
+}
+
+/// The unit that moves of a tile only the pixels from `first_pixel` on: a proof need not wait for 64 of them.
+#[must_use]
+pub fn from_pixel(config: &Config, first_pixel: u32) -> Module {
     let mut m =
         Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
@@ -111,7 +117,7 @@ pub fn module(config: &Config) -> Module {
     let head = Head::new(&mut m, config, queued);
     let tile = head.record.tile;
     let out = PORTS.out.half(&mut m, config);
-    let state = State::new(&mut m, config);
+    let state = State::new(&mut m, config, first_pixel);
     let read_ready = PORTS.read.drive(&mut m, config, state.read_valid, Tile { tile: *state.tile });
     let data = PORTS.data.declare(&mut m, config);
     let write = PORTS.write.queue(&mut m, config);

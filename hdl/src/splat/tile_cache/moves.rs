@@ -53,10 +53,10 @@ pub(super) fn exchange(
     let evicted = !state.evict | (state.all_drained() & !(state.holds_pixels() | write.holds));
     let done = m.wire("done", state.moving & (state.filled.msb() & (!fill_valid & evicted)));
     let begin = state.looked | state.is(Mode::Check);
-    let zero = lit(COUNT_BITS, 0);
+    let first = lit(COUNT_BITS, state.first_pixel.into());
     let drains = drain_next | (from_memory & beat);
-    m.next_if(state.drained, begin | drains, begin.mux(zero, state.drained.add_lit(1)));
-    m.next_if(state.filled, begin | fill, begin.mux(zero, state.filled.add_lit(1)));
+    m.next_if(state.drained, begin | drains, begin.mux(first, state.drained.add_lit(1)));
+    m.next_if(state.filled, begin | fill, begin.mux(first, state.filled.add_lit(1)));
     Moves { step, leaves, beat, fill, done }
 }
 

@@ -30,6 +30,8 @@ pub(super) enum Mode {
 
 /// Registers of the unit.
 pub(super) struct State {
+    /// The pixel that moves of a tile begin with.
+    pub first_pixel: u32,
     pub mode: Reg,
     pub frame_ended: Reg,
     /// The tile code that is cleared or sent.
@@ -60,9 +62,10 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(m: &mut Module, config: &Config) -> Self {
+    pub fn new(m: &mut Module, config: &Config, first_pixel: u32) -> Self {
         let tile_bits = config.tile_bits();
         Self {
+            first_pixel,
             mode: m.reg_reset("mode", address_width(Mode::Close as u32 + 1), Mode::Clear as u128),
             frame_ended: m.reg_reset("frame_ended", 1, 0),
             code: m.reg_reset("code", tile_bits, 0),

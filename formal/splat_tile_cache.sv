@@ -1,0 +1,186 @@
+// splat_tile_cache: what samples left in a pixel is there when its tile's next samples come, and in the frame that is sent.
+//
+// One pixel of a symbolic tile is watched: in the slots, which are here with their data as docs/units/splat/accumulator.md has them; in
+// the reconstruction buffer, whose other words are free; and as it must be. Samples of copies that are under way in a ready slot change
+// it as they like. Values are a bit, repeated in all fields and compared in two of them: it stands for any bit of a pixel, with a weight
+// where it is set.
+//
+// Assumed, with the words of docs/units/splat/tile_cache.md:
+// - copies retire that are under way, no more than UNDER_WAY in a slot, one a cycle, at any time; `frame_end` comes once, when the end copy and all before it are done;
+//   the end of a frame that was sent is taken before that of the next one comes;
+// - the buffer answers each read with the tile's pixels in order, at any time, as of all writes accepted before it; what was never
+//   written is anything;
+// - the drain port shows the pixel of the enable before, while that slot is not ready.
+module proof (input clk);
+    `include "sizes.vh"
+    localparam SLOTS = 2;
+    localparam UNDER_WAY = 2;
+
+    reg rst = 1;
+    always @(posedge clk) rst <= 0;
+
+    (* anyseq *) reg in_valid, in_end, out_ready, read_ready, data_valid, write_ready, pixel_ready, retire_valid, retire_slot, frame_end;
+    (* anyseq *) reg [1:0] in_tile;
+    (* anyseq *) reg [ATTRIBUTE_BITS-1:0] in_attribute_0;
+    (* anyseq *) reg data_any, shown_any, sample;
+    (* anyconst *) reg [31:0] any;
+    wire [31:0] in_center_x = any, in_center_y = any, in_ax = any, in_bx = any, in_ay = any, in_by = any, in_delta = any;
+    wire [31:0] in_mx = any, in_my = any;
+    wire [23:0] in_depth = any, in_depth_low = any, in_depth_high = any;
+    wire [2:0] in_left = any, in_right = any, in_top = any, in_bottom = any;
+    wire in_ready, out_valid, out_end, out_slot, read_valid, data_ready, write_valid, pixel_valid, pixel_end, fill_valid, fill_slot;
+    wire drain_enable, drain_slot;
+    wire [1:0] out_tile, read_tile, write_tile, pixel_tile, slot_ready;
+    wire [5:0] write_pixel, pixel_pixel, fill_pixel, drain_pixel;
+    wire [ATTRIBUTE_BITS-1:0] out_attribute_0, write_attribute_0, pixel_attribute_0, fill_attribute_0, data_attribute_0, drain_attribute_0;
+    wire [27:0] data_weight, write_weight, pixel_weight, fill_weight, drain_weight;
+    wire [51:0] data_depth, write_depth, pixel_depth, fill_depth, drain_depth;
+    `UNIT unit (
+        .out_center_x(), .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(),
+        .out_depth_low(), .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_bottom(), .*
+    );
+    wire [1:0] written_value = {write_weight[0], write_attribute_0[0]};
+    wire [1:0] pixel_value = {pixel_weight[0], pixel_attribute_0[0]};
+    wire [1:0] fill_value = {fill_weight[0], fill_attribute_0[0]};
+
+    (* anyconst *) reg [1:0] tile;
+    (* anyconst *) reg [5:0] pixel;
+    always @* assume (pixel >= FIRST_PIXEL);
+
+    // Copies under way in each slot, and of which tile they are. The frame ends once all are done with.
+    wire placed = out_valid && out_ready && !out_end;
+    reg [1:0] under_way [0:SLOTS-1];
+    reg [1:0] slot_tile [0:SLOTS-1];
+    reg ending = 0, sending = 0;
+    wire closes = pixel_valid && pixel_ready && pixel_end;
+    initial {under_way[0], under_way[1]} = 4'd0;
+    always @(posedge clk) if (!rst) begin
+        under_way[0] <= under_way[0] + (placed && !out_slot) - (retire_valid && !retire_slot);
+        under_way[1] <= under_way[1] + (placed && out_slot) - (retire_valid && retire_slot);
+        if (placed) slot_tile[out_slot] <= out_tile;
+        ending <= (ending || (out_valid && out_ready && out_end)) && !frame_end;
+        sending <= (sending || frame_end) && !closes;
+    end
+    always @* begin
+        assume (!rst || !(in_valid || retire_valid || frame_end || data_valid));
+        assume (!retire_valid || under_way[retire_slot] != 0);
+        assume (!placed || under_way[out_slot] < UNDER_WAY);
+        assume (!frame_end || (ending && !sending && under_way[0] == 0 && under_way[1] == 0));
+    end
+
+    // The watched pixel in the slots, in the buffer, and as it must be. A sample may come to any ready slot.
+    (* anyseq *) reg sampled, sampled_slot;
+    reg held [0:SLOTS-1];
+    reg stored, must = 0;
+    // As it is sent; the next frame begins with its first copy.
+    reg frame = 0, is_sent_off = 0;
+    reg shown, drained;
+    wire is_drained = drain_enable && drain_pixel == pixel;
+    wire is_filled = fill_valid && fill_pixel == pixel;
+    wire is_sampled = sampled && slot_ready[sampled_slot] && under_way[sampled_slot] != 0;
+    wire is_own = is_sampled && slot_tile[sampled_slot] == tile;
+    wire is_written = write_valid && write_ready && write_tile == tile && write_pixel == pixel;
+    always @(posedge clk) if (!rst) begin
+        if (is_filled) held[fill_slot] <= fill_value[0];
+        if (is_sampled) held[sampled_slot] <= sample;
+        if (is_own) must <= sample;
+        else if (is_sent_off && placed) must <= 0;
+        if (frame_end) frame <= must && !is_sent_off;
+        is_sent_off <= frame_end || (is_sent_off && !placed);
+        if (is_written) stored <= written_value[0];
+        // While the slot is ready its memory shows something else; a word that is written meanwhile is anything.
+        if (drain_enable) begin
+            shown <= is_drained && !slot_ready[drain_slot] && !(is_filled && fill_slot == drain_slot) ? held[drain_slot] : shown_any;
+            drained <= shown;
+        end
+    end
+    assign drain_weight = {28{drained}}, drain_depth = {52{drained}}, drain_attribute_0 = {ATTRIBUTE_BITS{drained}};
+
+    // The buffer's answers.
+    localparam PIXELS = 64 - FIRST_PIXEL;
+    reg [1:0] owed = 0;
+    reg asked_value;
+    reg [1:0] asked_tile;
+    wire asks = read_valid && read_ready;
+    wire answers = data_valid && data_ready;
+    wire is_answered = asked_tile == tile && 7'd64 - owed == pixel;
+    wire data = is_answered ? asked_value : data_any;
+    always @* assume (!data_valid || owed != 0);
+    always @(posedge clk) if (!rst) begin
+        owed <= owed + (asks ? PIXELS : 0) - answers;
+        if (asks) {asked_tile, asked_value} <= {read_tile, stored};
+    end
+    assign data_weight = {28{data}}, data_depth = {52{data}}, data_attribute_0 = {ATTRIBUTE_BITS{data}};
+
+`ifdef STEADY
+    // All but the buffer's writes go on at once, and of each copy a sample comes when its slot is ready: so tiles leave and come back soon.
+    wire [1:0] done = {slot_ready[1] && under_way[1] != 0, slot_ready[0] && under_way[0] != 0};
+    always @* if (!rst) begin
+        assume (out_ready && read_ready && pixel_ready && in_valid && data_valid == (owed != 0));
+        assume (retire_valid == (done != 0) && retire_slot == !done[0]);
+        assume (sampled == retire_valid && sampled_slot == retire_slot);
+        assume (frame_end == (ending && !sending && under_way[0] == 0 && under_way[1] == 0));
+    end
+`endif
+
+    // What of the frame was sent.
+    reg seen = 0;
+    reg [1:0] last_tile = 0;
+    wire sends = pixel_valid && pixel_ready && !pixel_end;
+    wire is_sent = sends && pixel_tile == tile && pixel_pixel == pixel;
+    always @(posedge clk) if (!rst) begin
+        seen <= (seen || is_sent) && !closes;
+        last_tile <= closes ? 0 : sends ? pixel_tile : last_tile;
+    end
+
+    always @(posedge clk) if (!rst) begin
+        // In a slot.
+        one_tile_a_slot: assert (!(placed && under_way[out_slot] != 0) || slot_tile[out_slot] == out_tile);
+        one_slot_a_tile: assert (!(placed && under_way[!out_slot] != 0) || slot_tile[!out_slot] != out_tile);
+        sample_finds_its_pixel: assert (!is_own || held[sampled_slot] == must);
+        stays_ready_0: assert (!(fill_valid && slot_ready[fill_slot]));
+        no_drain_of_samples: assert (!(drain_enable && under_way[drain_slot] != 0 && slot_ready[drain_slot]));
+        fills_what_moves: assert (!is_filled || fill_value == {2{fill_value[0]}});
+        // In the buffer.
+        writes_what_was_there: assert (!is_written || written_value == {2{must}});
+        one_read_at_a_time: assert (!asks || owed == 0);
+        // In the frame.
+        sent_once: assert (!is_sent || (sending && !seen && frame && pixel_value == {2{frame}}));
+        none_lost: assert (!closes || (sending && (seen || !frame)));
+        in_scan_order: assert (!sends || pixel_tile >= last_tile);
+    end
+
+`ifdef STEADY
+    // It goes on: a step is never more than PATIENCE cycles away. Of a frame of tiles that were not touched nothing shows for four times
+    // three cycles.
+    localparam PATIENCE = 14;
+    wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fill_valid || drain_enable
+        || frame_end || (in_valid && in_ready) || (out_valid && out_ready);
+    reg [5:0] stands = 0;
+    always @(posedge clk) if (!rst) begin
+        stands <= moves ? 0 : stands + (write_ready || !write_valid);
+        goes_on: assert (stands <= PATIENCE);
+    end
+
+    // A pixel that went to the buffer and came back gets another sample.
+    reg was_written = 0, was_loaded = 0;
+    always @(posedge clk) if (!rst) begin
+        was_written <= was_written || (is_written && must);
+        was_loaded <= was_loaded || (was_written && is_filled && fill_value[0]);
+        cover (was_loaded && is_own);
+    end
+`else
+    // Copies keep their order and tiles.
+    in_order #(.WIDTH(3), .COUNT_BITS(3), .PATIENCE(15)) copies (
+        .clk, .rst, .noted(1'd0), .known(), .notes(), .count(), .push(in_valid && in_ready), .pushed({in_end, in_tile | {2{in_end}}}),
+        .offered(out_valid), .valid(out_valid), .ready(out_ready), .shown({out_end, out_tile | {2{out_end}}})
+    );
+
+    // What is shown stays until it is taken.
+    axi_channel #(.OURS(1), .WIDTH(2)) reads (clk, rst, read_valid, read_ready, read_tile);
+    axi_channel #(.OURS(1), .WIDTH(10)) writes (clk, rst, write_valid, write_ready, {write_tile, write_pixel, written_value});
+
+    // A copy waits for the slot that it needs, and its tile is the second in it.
+    always @(posedge clk) if (!rst) cover (in_valid && !in_ready && is_own);
+`endif
+endmodule
