@@ -23,7 +23,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability soak accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -102,6 +102,7 @@ bench: setup ## Measure frames, searches, operators, stability and accuracy, and
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
 	cargo run --release --bin pointcore -- area --recorded --record docs/area.json --merge out/bench.json
 	cargo run --release --bin pointcore -- soak --recorded --record docs/soak.json --merge out/bench.json
+	cargo run --release --bin pointcore -- mutate --recorded --record docs/mutation.json --merge out/bench.json
 	@./scripts/house --merge >/dev/null
 	$(MAKE) stability accuracy
 
@@ -110,6 +111,9 @@ house: ## Count the lines of Rust and of the Verilog, the fields asked for by st
 
 stability: setup ## Check the renderer's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
+
+mutate: setup setup-fpga ## Plant single faults in the Verilog of units, and count those that their tests find, into docs/mutation.json (docs/results.md)
+	cargo run --bin pointcore -- mutate $(ARGS) --jobs $(JOBS) --record docs/mutation.json --tables docs/results.md --merge out/bench.json
 
 soak: setup ## Run random configurations of both cores in lockstep with their models, JOBS at a time, and add the count to docs/soak.json (docs/results.md)
 	cargo run --release --bin pointcore -- soak --jobs $(JOBS) --revision $(shell git describe --always --dirty --exclude '*') --record docs/soak.json --tables docs/results.md --merge out/bench.json $(ARGS)
