@@ -20,7 +20,7 @@ REVISION ?= $(shell git log -1 --format=%h -- docs/area.json)
 PROFILE ?= dev
 # What runs under FuseSoC.
 CORE ?= tiny_knn
-TARGETS ?= lint lint_axi sim synth
+TARGETS ?= lint lint_axi sim sim_axi synth
 
 .DEFAULT_GOAL := help
 .PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean

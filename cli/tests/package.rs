@@ -18,11 +18,21 @@ fn read(path: &Path) -> String {
 
 /// Simulates the test that goes with a core; whether it passed, and what it printed.
 fn simulated(core: &str, folder: &Path) -> (bool, String) {
+    simulated_with(core, &[&format!("{core}_top.v")], folder)
+}
+
+/// Simulates the test that goes with the core on AXI.
+fn simulated_on_axi(core: &str, folder: &Path) -> (bool, String) {
+    simulated_with(&format!("{core}_axi"), &[&format!("{core}_top.v"), &format!("{core}_axi.v")], folder)
+}
+
+fn simulated_with(core: &str, design: &[&str], folder: &Path) -> (bool, String) {
     let program = folder.join(format!("obj_dir/V{core}_test"));
     if !program.exists() {
         let compiled = Command::new("verilator")
             .args(["--binary", "--x-initial", "unique", "-CFLAGS", "-O0", "--top-module", &format!("{core}_test")])
-            .args([format!("{core}_test.sv"), format!("{core}_top.v")])
+            .arg(format!("{core}_test.sv"))
+            .args(design)
             .current_dir(folder)
             .output()
             .unwrap_or_else(|error| panic!("cannot run verilator ({error}): run `make setup`"));
@@ -57,6 +67,39 @@ fn check(core: &str, folder: &Path) {
     fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
     let (passed, text) = simulated(core, folder);
     assert!(!passed && text.contains("cycle 100: event_") && text.contains("FAILED"), "{text}");
+}
+
+#[test]
+fn the_test_that_goes_with_an_axi_top_passes_and_finds_faults() {
+    let workplace = Workplace::new();
+    for (name, core, config) in [("a", "splat", SPLATTING), ("b", "search", CACHED), ("c", "search", NARROW)] {
+        workplace.write("config.toml", config);
+        workplace.succeeds(&["gen", "config.toml", "-o", name]);
+        let folder = workplace.path().join(name);
+        let (passed, text) = simulated_on_axi(core, &folder);
+        assert!(passed && text.contains("PASSED") && !text.contains(" 0 packets"), "{text}");
+
+        // The first read expects another value.
+        let vectors = folder.join(format!("{core}_axi_test.hex"));
+        let script = read(&vectors);
+        let first_operation = usize::from_str_radix(script.lines().nth(1).expect("a header"), 16).expect("a number");
+        let wrong = script.lines().enumerate().map(|(place, word)| {
+            if place == first_read(&script, first_operation) + 1 { format!("{word}0\n") } else { format!("{word}\n") }
+        });
+        fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
+        let (passed, text) = simulated_on_axi(core, &folder);
+        assert!(!passed && text.contains("FAILED: read 0"), "{text}");
+        fs::write(&vectors, "0\n0\n").expect("a temporary folder can be written");
+        let (passed, text) = simulated_on_axi(core, &folder);
+        assert!(!passed && text.contains("is missing or another's"), "{text}");
+    }
+}
+
+/// The first operation that reads a register: until then no operation has operands.
+fn first_read(script: &str, first_operation: usize) -> usize {
+    let is_read = |word: &str| word.ends_with("04");
+    let place = script.lines().skip(first_operation).position(is_read);
+    first_operation + place.expect("a script reads registers")
 }
 
 #[test]

@@ -29,6 +29,24 @@ fn fileset<'a>(name: &str, files: impl Iterator<Item = &'a File>) -> String {
     format!("  {name}:\n    files:\n{}", files.filter_map(line).collect::<String>())
 }
 
+/// A target that runs a test under Verilator.
+fn simulation(name: &str, description: &str, filesets: &str, toplevel: &str) -> String {
+    format!(
+        r"
+  {name}:
+    description: {description}
+    filesets: [{filesets}]
+    flow: sim
+    flow_options:
+      tool: verilator
+      mode: binary
+      verilator_options: [--x-initial, unique]
+      run_options: [+verilator+rand+reset+2]
+    toplevel: {toplevel}
+"
+    )
+}
+
 /// The core's text.
 pub fn text(package: &Package) -> String {
     let Package { name, title, top, nextpnr, .. } = package;
@@ -40,6 +58,10 @@ pub fn text(package: &Package) -> String {
     if tested {
         filesets += &fileset("test", package.files_for(Role::Test));
     }
+    let tested_on_axi = package.files_for(Role::BusTest).next().is_some();
+    if tested_on_axi {
+        filesets += &fileset("axi_test", package.files_for(Role::BusTest));
+    }
     if is_split {
         filesets += &fileset("modules", package.files_for(Role::Module));
     }
@@ -47,19 +69,17 @@ pub fn text(package: &Package) -> String {
     // Quoted, since YAML would read some of them as numbers.
     let nextpnr: Vec<_> = nextpnr.iter().map(|argument| format!("\"{argument}\"")).collect();
     let nextpnr = nextpnr.join(", ");
-    let test = format!(
-        r"
-  sim:
-    description: Replay what the bit-exact model did, comparing every output in every cycle
-    filesets: [{rtl}, test]
-    flow: sim
-    flow_options:
-      tool: verilator
-      mode: binary
-      verilator_options: [--x-initial, unique]
-      run_options: [+verilator+rand+reset+2]
-    toplevel: {core}_test
-"
+    let test = simulation(
+        "sim",
+        "Replay what the bit-exact model did, comparing every output in every cycle",
+        &format!("{rtl}, test"),
+        &format!("{core}_test"),
+    );
+    let axi_test = simulation(
+        "sim_axi",
+        "Play a script on the buses, comparing every answer with the contract's and the bit-exact model's",
+        &format!("{rtl}, axi, axi_test"),
+        &format!("{core}_axi_test"),
     );
     format!(
         r#"CAPI=2:
@@ -94,7 +114,7 @@ targets:
     flow_options:
       tool: verilator
       verilator_options: [-Wall]
-{test}
+{test}{axi_test}
   synth:
     <<: *default
     description: Synthesize for ECP5
@@ -114,6 +134,7 @@ targets:
 "#,
         vlnv = fusesoc_name(name),
         test = if tested { test.as_str() } else { "" },
+        axi_test = if tested_on_axi { axi_test.as_str() } else { "" },
     )
 }
 

@@ -1,5 +1,6 @@
 //! What is written for a configuration: Verilog, manifest, constraints, a test, and the FuseSoC core that names them.
 
+mod axi_test;
 mod constraints;
 mod fusesoc;
 pub mod place_and_route;
@@ -15,6 +16,7 @@ use crate::generated::GenerateError;
 use crate::recording::Recording;
 use crate::search;
 use crate::splat;
+use axi_test::AxiTest;
 use pointcore_contract::search::Config as SearchConfig;
 use pointcore_contract::splat::Config as SplatConfig;
 use pointcore_hdl::compiler::Manifest;
@@ -51,6 +53,8 @@ pub enum Role {
     Pins,
     /// The test, and what it reads.
     Test,
+    /// The test of the AXI top, and what it reads.
+    BusTest,
     /// The design once more, a file a module.
     Module,
     /// For people and programs, not for the tools of a design.
@@ -91,9 +95,11 @@ impl Package {
     pub fn splat(name: &str, core: &splat::SplatCore, config: &SplatConfig) -> Result<Self, PackageError> {
         let text = Configuration::Splat(config.clone()).text();
         let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
-        package.add_bus(&Bus::splat(config)?, &Interface::splat(config));
+        let bus = Bus::splat(config)?;
+        package.add_bus(&bus, &Interface::splat(config));
         package.add_pins(&Configuration::Splat(config.clone()))?;
         package.add_test(&core.design, &splat::record(config, core)?);
+        package.add_axi_test(&bus, axi_test::of_splat(&bus.design, core, config)?);
         Ok(package)
     }
 
@@ -104,9 +110,11 @@ impl Package {
     pub fn search(name: &str, core: &search::SearchCore, config: &SearchConfig) -> Result<Self, PackageError> {
         let text = Configuration::Search(config.clone()).text();
         let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
-        package.add_bus(&Bus::search(config)?, &Interface::search(config));
+        let bus = Bus::search(config)?;
+        package.add_bus(&bus, &Interface::search(config));
         package.add_pins(&Configuration::Search(config.clone()))?;
         package.add_test(&core.design, &search::record(config, core)?);
+        package.add_axi_test(&bus, axi_test::of_search(&bus.design, config)?);
         Ok(package)
     }
 
@@ -184,6 +192,13 @@ impl Package {
         let (text, contents) = testbench::files(&name, &vectors, design, recording);
         self.add(format!("{name}.sv"), text, Role::Test);
         self.add(vectors, contents, Role::Test);
+    }
+
+    /// A test that plays a script on the buses.
+    fn add_axi_test(&mut self, bus: &Bus, test: AxiTest) {
+        let name = format!("{}_test", bus.design.top());
+        self.add(format!("{name}.sv"), test.text, Role::BusTest);
+        self.add(format!("{name}.hex"), test.vectors, Role::BusTest);
     }
 
     /// All files, the FuseSoC core among them.

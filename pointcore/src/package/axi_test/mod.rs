@@ -1,0 +1,77 @@
+//! A self-checking test of the core on AXI: a bench with models of buses plays a script, and compares every answer with what the
+//! contract and the golden model say.
+
+mod bench;
+mod control;
+mod registers;
+mod script;
+mod search_script;
+mod splat_script;
+
+use crate::search::SearchError;
+use crate::splat::SplatCore;
+use bench::{Bench, Buffer};
+use pointcore_contract::bus::Layout;
+use pointcore_contract::search::records::CachedResult;
+use pointcore_contract::splat::records::{Fragment, Pixel};
+use pointcore_contract::{fields, search, splat};
+use pointcore_tb::lockstep::LockstepError;
+use rtl::Design;
+
+/// A test's text, and what it reads.
+pub struct AxiTest {
+    /// SystemVerilog.
+    pub text: String,
+    /// The script.
+    pub vectors: String,
+}
+
+/// The bit of a fragment's first word that closes a frame: its first field.
+const END_MASK: u32 = 1;
+
+/// The test of the search core.
+///
+/// # Errors
+/// The golden model is stuck.
+pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, SearchError> {
+    let (words, vectors) = search_script::script(config)?.finish();
+    let bench = Bench {
+        top,
+        bus: config.bus,
+        words,
+        packet_bytes: Layout::record::<CachedResult>(config).packet_bytes(config.bus.stream_bits),
+        number_bits: config.index_bits,
+        end_mask: 0,
+        events: fields::<search::units::Events>(config),
+        memories: if config.tree_cache > 0 { vec!["m_axi", "m_axi_tree"] } else { vec!["m_axi"] },
+        has_window: config.tree_cache == 0,
+        buffer: None,
+    };
+    Ok(AxiTest { text: bench.text(), vectors })
+}
+
+/// The test of the renderer.
+///
+/// # Errors
+/// A frame does not come to its end.
+pub fn of_splat(top: &Design, core: &SplatCore, config: &splat::Config) -> Result<AxiTest, LockstepError> {
+    let (words, vectors) = splat_script::script(config, core)?.finish();
+    let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
+    let bench = Bench {
+        top,
+        bus: config.bus,
+        words,
+        packet_bytes: Layout::record::<Fragment>(config).packet_bytes(config.bus.stream_bits),
+        number_bits: 0,
+        end_mask: END_MASK,
+        events: fields::<splat::units::Events>(config),
+        memories: vec![],
+        has_window: false,
+        buffer: Some(Buffer {
+            tiles: 1 << config.tile_bits(),
+            pixel_beats: stride / (config.bus.memory_bits / 8),
+            pages: splat_script::PAGES,
+        }),
+    };
+    Ok(AxiTest { text: bench.text(), vectors })
+}

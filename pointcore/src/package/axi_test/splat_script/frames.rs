@@ -1,0 +1,120 @@
+//! Small frames whose splats lie in tiles all over the picture, and what the golden model makes of them.
+
+use crate::number::{encode, encode_attribute};
+use crate::splat::{END, EncodedFrame, SplatCore, SplatRunner};
+use crate::uniforms::uniforms;
+use fastrand::Rng;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::records::{Attributes, Fragment, Splat};
+use pointcore_contract::{Camera, Rendering};
+use pointcore_tb::lockstep::{LockstepError, Stall};
+
+/// Tiles with splats: more than the core keeps, so that some leave for memory and come back.
+const TILES: usize = 7;
+/// Tiles that a frame may touch, those beside the splats' own among them.
+pub const PAGES: u32 = 64;
+/// Half a splat's size, and how far it lies from the middle of its tile at most.
+const RADIUS_PX: f64 = 1.2;
+const OFFSET_PX: f64 = 2.0;
+/// Where splats lie before the eye.
+const DEPTH: f64 = 5.0;
+/// Frames of a script.
+const FRAMES: usize = 2;
+
+/// A frame and the fragments that come of it.
+pub struct Frame {
+    pub sent: EncodedFrame,
+    pub fragments: Vec<Fragment>,
+}
+
+/// The frames of a script.
+///
+/// # Errors
+/// One does not come to its end.
+pub fn all(config: &Config, core: &SplatCore) -> Result<Vec<Frame>, LockstepError> {
+    let frame = |number| {
+        let sent = frame(config, number);
+        let runner =
+            SplatRunner { config, frame: &sent, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
+        let mut fragments = runner.golden(core)?.fragments;
+        fragments.push(Fragment { end: true, ..Fragment::default() });
+        Ok(Frame { sent, fragments })
+    };
+    (0..FRAMES).map(frame).collect()
+}
+
+/// A camera of its own for each frame: straight ahead, and turned and moved aside.
+fn camera(config: &Config, number: usize) -> Camera {
+    let [width, height] = [config.width, config.height].map(f64::from);
+    let (near, far) = [(1.0, 10.0), (2.0, 20.0)][number];
+    let depth_a = far / (far - near);
+    let straight = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let turned = [[0.0, 1.0, 0.0, 0.5], [-1.0, 0.0, 0.0, -0.25], [0.0, 0.0, 1.0, 1.5]];
+    Camera {
+        model_view: [straight, turned][number],
+        scale_x: height,
+        scale_y: [height, 1.25 * height][number],
+        center_x: width / 2.0,
+        center_y: height / 2.0,
+        depth_a,
+        depth_b: -near * depth_a,
+        near,
+    }
+}
+
+fn rendering(config: &Config, number: usize) -> Rendering {
+    Rendering {
+        width: config.width as usize,
+        height: config.height as usize,
+        sampling: config.sampling,
+        depth: config.depth,
+        kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
+        filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
+        epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
+        epsilon_bias: [1e-3, 3e-3][number],
+    }
+}
+
+fn frame(config: &Config, number: usize) -> EncodedFrame {
+    let mut random = Rng::with_seed(1 + number as u64);
+    let camera = camera(config, number);
+    let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(TILE_SIZE));
+    let splat = |place: usize| {
+        // The first and the last tile, and others.
+        let tile = match place {
+            0 => 0,
+            1 => columns * rows - 1,
+            _ => random.u32(..columns * rows),
+        };
+        let middle = [tile % columns, tile / columns].map(|tile| f64::from(tile * TILE_SIZE + TILE_SIZE / 2));
+        splat(config, &camera, middle, &mut random)
+    };
+    let splats: Vec<Splat> = (0..TILES.max(config.tile_slots as usize + 3)).map(splat).collect();
+    EncodedFrame {
+        records: splats.into_iter().chain([END]).collect(),
+        uniforms: uniforms(&camera, &rendering(config, number), config),
+    }
+}
+
+/// A splat near a place in the picture that faces the eye.
+fn splat(config: &Config, camera: &Camera, [column, row]: [f64; 2], random: &mut Rng) -> Splat {
+    let mut offset = || (2.0 * random.f64() - 1.0) * OFFSET_PX;
+    let [x, y] = [column + offset(), row + offset()];
+    let depth = DEPTH + random.f64();
+    let eye = [(x - camera.center_x) / camera.scale_x * depth, (y - camera.center_y) / camera.scale_y * depth, depth];
+    let radius = RADIUS_PX / camera.scale_x * depth;
+    // From the eye's directions and places to those of the world: the matrix only turns.
+    let turn = |vector: [f64; 3]| {
+        [0, 1, 2].map(|axis| (0..3).map(|row| camera.model_view[row][axis] * vector[row]).sum::<f64>())
+    };
+    let vector = |numbers: [f64; 3]| numbers.map(|number| encode(config.geometry, number as f32));
+    let center = vector(turn([0, 1, 2].map(|axis| eye[axis] - camera.model_view[axis][3])));
+    // The cross product of the tangents points at the eye.
+    let tangents = [[0.0, radius, 0.0], [radius, 0.0, 0.0]].map(|tangent| vector(turn(tangent)));
+    let mut attributes = Attributes::default();
+    let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
+    continuous.fill_with(|| encode_attribute(config.attribute, random.f32()));
+    cardinals[..config.cardinal as usize].fill(1);
+    Splat { end: false, center, tangents, attributes }
+}

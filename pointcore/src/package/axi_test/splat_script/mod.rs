@@ -1,0 +1,56 @@
+//! The script for the renderer.
+
+mod frames;
+mod runs;
+
+pub use frames::PAGES;
+
+use super::registers;
+use super::script::{Pauses, Script};
+use crate::splat::SplatCore;
+use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
+use pointcore_contract::splat::Config;
+use pointcore_tb::lockstep::LockstepError;
+use runs::Host;
+
+/// The seed of everything that a script chooses.
+const SEED: u64 = 1;
+/// Cycles of a reset.
+const RESET_CYCLES: u32 = 5;
+/// Runs that are aborted somewhere.
+const ABORTS: u32 = 4;
+
+/// The whole script.
+///
+/// # Errors
+/// The golden model does not come to its end.
+pub fn script(config: &Config, core: &SplatCore) -> Result<Script, LockstepError> {
+    let map = SplatRegisters::registers(config);
+    let frames = frames::all(config, core)?;
+    let mut script = Script::new(SEED);
+    script.pauses(Pauses::None);
+    registers::check_reset(&mut script, &map);
+    registers::check_accesses(&mut script, &map);
+    script.pauses(Pauses::Some);
+    registers::check_accesses(&mut script, &map);
+
+    let mut host = Host::new(&mut script, config, &map, &frames);
+    host.enter(0);
+    host.run(Pauses::None);
+    host.run(Pauses::Some);
+    host.run_silently();
+    host.run_disturbed();
+    host.run_spoilt();
+    host.run_long();
+    host.enter(1);
+    host.run(Pauses::Some);
+    host.abort_within_packet();
+    host.abort_held();
+    (0..ABORTS).for_each(|_| host.abort_somewhere());
+    host.run(Pauses::None);
+    host.control.script.reset(RESET_CYCLES);
+    registers::check_reset(host.control.script, &map);
+    host.enter(0);
+    host.run(Pauses::Some);
+    Ok(script)
+}

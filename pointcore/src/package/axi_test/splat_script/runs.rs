@@ -1,0 +1,260 @@
+//! Frames of the renderer: whole ones, disturbed ones, and such as are aborted.
+
+use super::super::control::Control;
+use super::super::registers::{ABORT, BUSY, DONE, RESET, START, clear, refuse_while_busy};
+use super::super::script::{Channel, Pauses, Refusal, Script, words};
+use super::frames::Frame;
+use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
+use pointcore_contract::bus::{Layout, Register};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
+use pointcore_contract::{fields, words as values};
+
+/// Where the buffer lies in each frame.
+const BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
+/// Cycles in which what is under way comes to rest, or to wherever it is held.
+const SETTLE_CYCLES: u32 = 600;
+/// Cycles in which a core has cleared its directory of tiles, beyond one a tile.
+const CLEAR_CYCLES: u32 = 100;
+/// Cycles of the longest run.
+const LONG_RUN_CYCLES: u32 = 70_000;
+/// Nothing but holds a channel back.
+const ALWAYS: u8 = 255;
+
+/// A host with its core.
+pub struct Host<'a> {
+    pub control: Control<'a>,
+    config: &'a Config,
+    frames: &'a [Frame],
+    /// The frame in force.
+    now: usize,
+}
+
+impl<'a> Host<'a> {
+    pub fn new(script: &'a mut Script, config: &'a Config, map: &'a [Register], frames: &'a [Frame]) -> Self {
+        Self { control: Control { script, map }, config, frames, now: 0 }
+    }
+
+    /// Writes what a frame needs, in any order.
+    pub fn enter(&mut self, frame: usize) {
+        self.now = frame;
+        let uniforms = fields::<Uniforms>(self.config).into_iter();
+        let uniforms = uniforms.zip(values(self.config, self.frames[frame].sent.uniforms));
+        let mut settings: Vec<_> = uniforms.map(|(field, value)| (field.name, value as u32)).collect();
+        settings.push(("buffer_base".to_owned(), BASES[frame]));
+        self.control.script.random.shuffle(&mut settings);
+        for (name, value) in settings {
+            self.control.set(&name, value);
+        }
+        self.control.script.write(INTERRUPT_ENABLE, 1);
+    }
+
+    /// The packet of a splat, with noise where it holds nothing.
+    fn packet(&mut self, index: usize) -> Vec<u32> {
+        let layout = Layout::record::<Splat>(self.config);
+        let bytes = layout.packet_bytes(self.config.bus.stream_bits);
+        let all: Vec<u64> = layout.places.iter().map(|place| u64::MAX >> (64 - place.width)).collect();
+        let held = words(&layout.encode(&all, bytes));
+        let sent = words(&layout.encode(&values(self.config, self.frames[self.now].sent.records[index]), bytes));
+        sent.iter().zip(held).map(|(word, held)| word | (self.control.script.random.u32(..) & !held)).collect()
+    }
+
+    fn send(&mut self, index: usize) {
+        let packet = self.packet(index);
+        self.control.script.send(&packet, self.config.bus.stream_bits);
+    }
+
+    fn count(&self) -> usize {
+        self.frames[self.now].sent.records.len()
+    }
+
+    fn send_all(&mut self) {
+        (0..self.count()).for_each(|index| self.send(index));
+    }
+
+    /// Expects all fragments, and an empty buffer.
+    fn expect(&mut self) {
+        let fragments = &self.frames[self.now].fragments;
+        let layout = Layout::record::<Fragment>(self.config);
+        let bytes = layout.packet_bytes(self.config.bus.stream_bits);
+        let packet = |fragment: &Fragment| words(&layout.encode(&values(self.config, *fragment), bytes));
+        let packets: Vec<u32> = fragments.iter().flat_map(packet).collect();
+        let count = fragments.len() as u32;
+        let place = self.control.script.data(&packets);
+        self.control.script.expect(&[(0, place, count)]);
+        self.control.script.place_buffer(BASES[self.now]);
+    }
+
+    fn settle(&mut self) {
+        self.control.script.wait(SETTLE_CYCLES);
+    }
+
+    /// A whole frame, whose splats wait for its start.
+    pub fn run(&mut self, pauses: Pauses) {
+        self.control.script.pauses(pauses);
+        self.send_all();
+        self.settle();
+        self.control.script.check_quiet(0);
+        self.expect();
+        self.control.start();
+        self.control.script.wait_received(0);
+        self.control.finish(self.count());
+    }
+
+    /// A frame whose end no interrupt tells.
+    pub fn run_silently(&mut self) {
+        self.control.script.pauses(Pauses::Some);
+        self.control.script.write(INTERRUPT_ENABLE, 0);
+        self.expect();
+        self.control.start();
+        self.control.script.read(STATUS, BUSY);
+        self.send_all();
+        self.control.script.wait_received(0);
+        self.control.script.wait_idle();
+        self.control.script.interrupt(0);
+        self.control.script.errors(DONE);
+        for level in [1, 0] {
+            self.control.script.write(INTERRUPT_ENABLE, level);
+            self.control.script.wait(2);
+            self.control.script.interrupt(level);
+        }
+        self.control.script.write(INTERRUPT_ENABLE, 1);
+    }
+
+    /// A frame with broken packets among the good ones, and with all that must not be done during a run.
+    pub fn run_disturbed(&mut self) {
+        self.control.script.pauses(Pauses::Some);
+        self.expect();
+        self.control.start();
+        let end = self.count() - 1;
+        for index in 0..end {
+            self.send_broken(index);
+            self.send(index);
+        }
+        self.send_broken(end);
+        self.control.script.wait_sent();
+        self.settle();
+        refuse_while_busy(self.control.script, self.control.map);
+        self.control.script.read(INTERRUPT_ENABLE, 1);
+        self.control.script.errors(BUSY);
+        self.send(end);
+        self.control.script.wait_received(0);
+        self.control.finish(self.count());
+        clear(self.control.script);
+        self.control.script.errors(DONE);
+    }
+
+    /// Packets of every length that is refused.
+    fn send_broken(&mut self, index: usize) {
+        let stream_bits = self.config.bus.stream_bits;
+        let stream_words = (stream_bits / 32) as usize;
+        let good = self.packet(index);
+        let beats = good.len() / stream_words;
+        // As the end of a frame, too: its flag lies in the first word.
+        for length in (1..beats).chain([beats + 1, beats + 2, 2 * beats]) {
+            let mut packet: Vec<u32> = good.iter().cycle().take(length * stream_words).copied().collect();
+            packet[0] |= u32::from(length % 2 == 0);
+            self.control.script.send(&packet, stream_bits);
+            self.control.script.count(ErrorCounter::Packet);
+        }
+    }
+
+    /// Frames with answers of memory that are errors, and bursts that are misshapen; beats that nobody asked for.
+    pub fn run_spoilt(&mut self) {
+        for shares in [[20, 0, 0], [0, 20, 0], [0, 0, 100], [60, 90, 60]] {
+            self.control.script.spoil(shares);
+            self.run(Pauses::Some);
+        }
+        self.control.script.spoil([0; 3]);
+        clear(self.control.script);
+        self.control.script.errors(DONE);
+        for beats in [1, 3, 2] {
+            self.control.script.give_unasked(0, beats);
+            self.control.script.wait(20);
+            self.control.script.errors(DONE);
+        }
+        clear(self.control.script);
+        self.control.script.write(CONTROL, RESET);
+        self.run(Pauses::None);
+    }
+
+    /// A frame that waits for its end for long.
+    pub fn run_long(&mut self) {
+        self.control.script.pauses(Pauses::None);
+        self.expect();
+        self.control.start();
+        let end = self.count() - 1;
+        (0..end).for_each(|index| self.send(index));
+        self.control.script.wait(LONG_RUN_CYCLES);
+        self.send(end);
+        self.control.script.wait_received(0);
+        self.control.finish(self.count());
+    }
+
+    /// A host that has sent a part of a packet goes on with it in the next run.
+    pub fn abort_within_packet(&mut self) {
+        self.control.script.pauses(Pauses::Some);
+        let beats = Layout::record::<Splat>(self.config).beats(self.config.bus.stream_bits);
+        for held in 1..beats {
+            self.control.script.expect(&[]);
+            self.control.start();
+            self.control.script.hold(Some(held));
+            self.send(0);
+            self.settle();
+            self.control.script.write(CONTROL, ABORT);
+            self.control.finish(0);
+            self.expect();
+            self.control.start();
+            self.control.script.hold(None);
+            self.control.script.count(ErrorCounter::Packet);
+            self.send_all();
+            self.control.script.wait_received(0);
+            self.control.finish(self.count());
+        }
+    }
+
+    /// Nothing is taken back that is under way: until it has come, no run begins.
+    pub fn abort_held(&mut self) {
+        for channel in [Channel::Receive, Channel::ReadData, Channel::WriteAnswer] {
+            self.control.script.pauses(Pauses::None);
+            self.control.script.share(channel, ALWAYS);
+            self.expect();
+            self.control.start();
+            self.send_all();
+            self.control.script.wait_sent();
+            // Until a tile has left, or the first is read.
+            let tiles = 1 << self.config.tile_bits();
+            self.control.script.wait(2 * tiles + CLEAR_CYCLES + 10 * SETTLE_CYCLES);
+            self.control.script.write(CONTROL, ABORT);
+            self.settle();
+            self.control.script.refuse(CONTROL, START, Refusal::Busy);
+            self.control.script.write(CONTROL, ABORT);
+            self.control.script.errors(BUSY);
+            self.control.script.share(channel, 128);
+            self.control.script.wait_interrupt();
+            self.control.check_counters(self.count());
+            self.control.script.expect(&[]);
+            self.control.script.errors(DONE);
+            self.run(Pauses::Some);
+        }
+    }
+
+    /// A frame that is aborted somewhere on its way.
+    pub fn abort_somewhere(&mut self) {
+        self.control.script.pauses(Pauses::Some);
+        self.expect();
+        self.control.start();
+        let sent = self.control.script.random.usize(1..=self.count());
+        (0..sent).for_each(|index| self.send(index));
+        self.control.script.wait_sent();
+        let cycles = self.control.script.random.u32(..2 * SETTLE_CYCLES);
+        self.control.script.wait(cycles);
+        self.control.script.write(CONTROL, ABORT);
+        self.control.script.wait_interrupt();
+        self.control.check_counters(sent);
+        self.control.script.expect(&[]);
+        self.control.script.check_quiet(0);
+        self.control.script.errors(DONE);
+        // The end of a frame may have left before.
+    }
+}
