@@ -148,7 +148,7 @@ module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
 endmodule
 
 module search_axi_test;
-    localparam WORDS = 16843;
+    localparam WORDS = 16917;
     localparam [31:0] MAGIC = 32'h5043a71e;
     localparam FILE = "search_axi_test.hex";
     localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 4, EVENTS = 6;
@@ -586,7 +586,7 @@ module search_axi_test;
         .s_axi_awvalid(s_axi_awvalid),
         .s_axi_awready(s_axi_awready),
         .s_axi_awid(s_axi_awid),
-        .s_axi_awaddr(window_awaddr[31:0]),
+        .s_axi_awaddr(window_awaddr[11:0]),
         .s_axi_awlen(s_axi_awlen),
         .s_axi_awsize(s_axi_awsize),
         .s_axi_awburst(s_axi_awburst),
@@ -602,7 +602,7 @@ module search_axi_test;
         .s_axi_arvalid(s_axi_arvalid),
         .s_axi_arready(s_axi_arready),
         .s_axi_arid(s_axi_arid),
-        .s_axi_araddr(window_araddr[31:0]),
+        .s_axi_araddr(window_araddr[11:0]),
         .s_axi_arlen(s_axi_arlen),
         .s_axi_arsize(s_axi_arsize),
         .s_axi_arburst(s_axi_arburst),

@@ -6,6 +6,7 @@ use super::memory::WORD_BYTES;
 use super::runs::Host;
 use pointcore_contract::bus::config::BURST_BEATS_MAX;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, SETTINGS};
+use pointcore_contract::bus::units::{window_bits, window_index_bits};
 use std::collections::BTreeMap;
 
 /// How the address of a burst goes on.
@@ -59,6 +60,10 @@ impl Host<'_> {
         let mut bursts: Vec<Burst> = [FIXED, WRAPPING, RESERVED].map(|kind| Burst { kind, ..plain.clone() }).into();
         bursts.extend((0..8).filter(|size| *size != SIZE).map(|size| Burst { size, ..plain.clone() }));
         bursts.extend((1..WORD_BYTES).map(|byte| Burst { address: WORD_BYTES + byte, ..plain.clone() }));
+        // Addresses beyond the end, where the port has such.
+        let address_bits = window_bits(window_index_bits(self.config)).address;
+        let beyond = (end.ilog2()..address_bits).map(|bit| Burst { address: 1 << bit | WORD_BYTES, ..plain.clone() });
+        bursts.extend(beyond);
         let noise = self.noise(BURST_BEATS_MAX as usize);
         // Beyond the end by one word, and by as many as a burst can.
         for (address, beats) in [(end - WORD_BYTES, 2), (end - 3 * WORD_BYTES, 4), (end - WORD_BYTES, BURST_BEATS_MAX)]
@@ -114,10 +119,9 @@ impl Host<'_> {
             }
             self.control.script.errors(0);
             clear(self.control.script);
-            // All addresses but the window's own bits are ignored; a burst may end with the window.
+            // A burst may end with the window.
             let (number, bytes) = records.iter().next_back().expect("a tree has a leaf");
-            let beyond = 0x8000_0000 | self.window_bytes() | (number * WORD_BYTES);
-            self.control.script.begin_burst(&burst(beyond, words(bytes)), true);
+            self.control.script.begin_burst(&burst(number * WORD_BYTES, words(bytes)), true);
             self.control.script.errors(0);
             self.start_within_burst(&records);
         }
