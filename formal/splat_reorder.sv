@@ -57,7 +57,13 @@ module proof (input clk);
     wire waits = (in_valid && !in_ready) || held != 0 || ends != 0;
     always @(posedge clk) if (!rst) stands <= leaves || push || !waits ? 0 : stands + out_ready;
 
+    // Where nothing moves for want of a pointer, one copy waits for it, as many have one, and three have given theirs back.
+    localparam FULL = 1 + POINTERS + 3;
+    reg [3:0] refused = 0;
+    always @(posedge clk) if (!rst) refused <= !in_valid || in_ready || leaves || ends != 0 ? 0 : refused + !refused[3];
+
     always @(posedge clk) if (!rst) begin
+        no_pointer_lost: assert (!refused[3] || held == FULL);
         comes_out_once: assert (!shows_a || (has_a && out_tile == tile_a && out_bottom == payload_a));
         none_from_nothing: assert (!(out_valid && !out_end) || held != 0);
         none_lost: assert (!(has_a && held == 0));
@@ -74,9 +80,8 @@ module proof (input clk);
 
 `ifdef STALLED
     // Straight to where all pointers are in use: the sink does not take before the source has been refused for longer than the heap rests.
-    reg [2:0] refused = 0;
-    wire exhausted = refused == 5;
-    always @(posedge clk) if (!rst) refused <= exhausted ? refused : in_valid && !in_ready ? refused + 1 : 0;
+    reg exhausted = 0;
+    always @(posedge clk) if (!rst) exhausted <= exhausted || refused == 5;
     always @* assume (rst || exhausted || (in_valid && !in_end && !out_ready));
 `endif
 
