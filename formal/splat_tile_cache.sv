@@ -6,8 +6,8 @@
 // where it is set.
 //
 // Assumed, with the words of docs/units/splat/tile_cache.md:
-// - copies retire that are under way, no more than UNDER_WAY in a slot, one a cycle, at any time; `frame_end` comes once, when the end copy and all before it are done;
-//   the end of a frame that was sent is taken before that of the next one comes;
+// - copies retire that are under way, one a cycle, at any time; there are no more than UNDER_WAY in a slot;
+// - `frame_end` comes once, when the end copy and all before it are done, and the end of the frame before was taken;
 // - the buffer answers each read with the tile's pixels in order, at any time, as of all writes accepted before it; what was never
 //   written is anything;
 // - the drain port shows the pixel of the enable before, while that slot is not ready.
