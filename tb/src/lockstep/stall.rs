@@ -9,6 +9,16 @@ pub enum Stall {
     Random(f64),
     /// Idle and busy in turns, each of random length up to so many cycles: fills and drains every queue.
     Bursts(u32),
+    /// One of the others after the other, each for a while: streams meet at all combinations of paces.
+    Varied,
+}
+
+impl Stall {
+    /// The patterns of [`Stall::Varied`]: free, hardly held, mostly held, hardly free, in turns.
+    const VARIETY: [Self; 6] =
+        [Self::Never, Self::Never, Self::Random(0.3), Self::Random(0.8), Self::Random(0.97), Self::Bursts(30)];
+    /// Cycles for which one of them holds, at most.
+    const LONGEST: u32 = 400;
 }
 
 /// A pattern in progress.
@@ -18,13 +28,15 @@ pub struct Stalls {
     random: fastrand::Rng,
     idle: bool,
     remaining: u32,
+    /// Of patterns that vary, the one that holds, and for how many more cycles.
+    varied: Option<(Box<Self>, u32)>,
 }
 
 impl Stalls {
     /// A pattern from its beginning; `random` decides what is random in it.
     #[must_use]
     pub fn new(pattern: Stall, random: fastrand::Rng) -> Self {
-        Self { pattern, random, idle: false, remaining: 0 }
+        Self { pattern, random, idle: false, remaining: 0, varied: None }
     }
 
     /// Whether the next cycle is idle.
@@ -39,6 +51,16 @@ impl Stalls {
                 }
                 self.remaining -= 1;
                 self.idle
+            }
+            Stall::Varied => {
+                if self.varied.as_ref().is_none_or(|(_, remaining)| *remaining == 0) {
+                    let pattern = Stall::VARIETY[self.random.usize(..Stall::VARIETY.len())];
+                    let cycles = self.random.u32(1..=Stall::LONGEST);
+                    self.varied = Some((Box::new(Self::new(pattern, self.random.fork())), cycles));
+                }
+                let (stalls, remaining) = self.varied.as_mut().expect("it was chosen just now");
+                *remaining -= 1;
+                stalls.stalled()
             }
         }
     }
