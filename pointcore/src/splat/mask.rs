@@ -51,7 +51,8 @@ pub fn end_records(
 }
 
 /// The mask of the accumulator: a drained pixel shows from the cycle after its slot's next drain until the slot is ready again,
-/// when samples read it. Inputs decide, so it watches what the model sees.
+/// when samples read it; one that is filled in the cycle in which it is drained does not. Inputs decide, so it watches what the
+/// model sees.
 pub struct DrainedPixel {
     pixel: Vec<usize>,
     shows: Arc<AtomicBool>,
@@ -114,7 +115,8 @@ impl<M: Model<Config = Config, In = In, Out = Out>> Model for Watched<M> {
     fn clock(&mut self, inputs: &In) {
         if let Some(drain) = inputs.drain {
             self.drained = self.read.filter(|slot| *slot == drain.slot);
-            self.read = Some(drain.slot);
+            let is_filled = inputs.fill.is_some_and(|fill| fill.place == drain);
+            self.read = Some(drain.slot).filter(|_| !is_filled);
         }
         let unready = |slot: &u8| inputs.slot_ready >> slot & 1 == 0;
         (self.read, self.drained) = (self.read.filter(unready), self.drained.filter(unready));
