@@ -9,7 +9,7 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::tree::Tree;
 use crate::search::{all, configs, lockstep, start};
 
-const LEAVES: u64 = 150;
+const LEAVES: u64 = 600;
 
 /// Threads that visit one leaf after the other, and the memory.
 #[derive(Clone)]
@@ -74,7 +74,7 @@ fn leaves_agree_with_the_model() {
     for config in configs().into_iter().chain(without_table) {
         let unit = leaf::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
-            let tree = Tree::random(&config, &mut feeds.random);
+            let tree = Tree::fine(&config, &mut feeds.random);
             let writes_left = tree.writes.len();
             let mut visits = Visits { config: config.clone(), writes_left, tree, visits_left: LEAVES };
             match config.tree_cache {

@@ -7,7 +7,9 @@ use pointcore_hdl::search::queue;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, number, start, word};
 
-const QUERIES: u64 = 60;
+const QUERIES: u64 = 250;
+/// Numbers have more bits than that; what is above is for show.
+const NUMBERED: u64 = 256;
 
 /// The query of a thread.
 #[derive(Clone, Default)]
@@ -34,11 +36,12 @@ impl Searches {
     fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.queries_left > 0 {
             self.queries_left -= 1;
-            let start = start(&self.config, thread, self.queries_left, &mut feeds.random);
+            let beyond = feeds.random.u64(..1 << self.config.index_bits) / NUMBERED * NUMBERED;
+            let start = start(&self.config, thread, beyond + self.queries_left, &mut feeds.random);
             let leaves_left = feeds.random.u32(1..5);
             let radius2 = number(&self.config, start[3]);
             self.threads[thread as usize] =
-                Search { number: start[1] as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
+                Search { number: (start[1] % NUMBERED) as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
             feeds.feed("start", start);
         }
     }
@@ -74,7 +77,7 @@ impl Rule for Searches {
                 feeds.feed("finish", vec![fields[0]]);
             }
             "released" => self.restart(feeds, fields[0]),
-            "result" if fields[2] == 1 => self.found[fields[0] as usize].push(number(&self.config, fields[4])),
+            "result" if fields[2] == 1 => self.found[(fields[0] % NUMBERED) as usize].push(number(&self.config, fields[4])),
             _ => {}
         }
     }

@@ -5,9 +5,9 @@ use pointcore_golden::search::Recursion;
 use pointcore_hdl::search::recursion;
 
 use crate::search::environment::{Feeds, Rule};
-use crate::search::{all, configs, lockstep, start, word};
+use crate::search::{all, configs, distance2, lockstep, radius2, start, word};
 
-const PATHS: u64 = 400;
+const PATHS: u64 = 2000;
 
 /// The stack, and leaves whose radii shrink while their threads search.
 #[derive(Clone)]
@@ -42,7 +42,8 @@ impl Rule for Surroundings {
                 feeds.hold("top_empty", u64::from(!some));
                 if some {
                     let node = feeds.random.u64(2..1 << self.config.node_bits());
-                    let distance2 = [0.0, 0.5, 4.0, f32::NAN][feeds.random.usize(..4)];
+                    let any = distance2(&self.config, &mut feeds.random);
+                    let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { any };
                     feeds.hold("top_node", node);
                     feeds.hold("top_distance2", word(&self.config, distance2));
                 }
@@ -50,7 +51,7 @@ impl Rule for Surroundings {
             "resume" => {
                 feeds.feed("in", vec![thread]);
                 self.radii[index] += 1;
-                let radius2 = [f32::INFINITY, 1.0, 0.1][feeds.random.usize(..3)];
+                let radius2 = radius2(&self.config, &mut feeds.random);
                 feeds.feed("radius", vec![thread, word(&self.config, radius2)]);
             }
             "radius" => {

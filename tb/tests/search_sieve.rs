@@ -9,7 +9,7 @@ use pointcore_hdl::search::sieve;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, number, radius2, start, word};
 
-const LEAVES: u64 = 300;
+const LEAVES: u64 = 1500;
 
 /// A beat on its way through the unit.
 #[derive(Clone)]
@@ -90,7 +90,7 @@ impl Rule for Searches {
                 }
                 if fields[2] == 1 {
                     let query = self.threads[fields[0] as usize].0;
-                    let farthest = radius2(&mut feeds.random);
+                    let farthest = radius2(&self.config, &mut feeds.random);
                     self.next_radii[query] = farthest.min(self.next_radii[query]);
                     feeds.feed("radius", vec![fields[0], word(&self.config, self.next_radii[query])]);
                 }

@@ -5,9 +5,9 @@ use pointcore_golden::search::Stack;
 use pointcore_hdl::search::stack;
 
 use crate::search::environment::{Feeds, Rule};
-use crate::search::{configs, lockstep, word};
+use crate::search::{configs, lockstep};
 
-const BATCHES: u32 = 20;
+const BATCHES: u32 = 80;
 
 /// Each thread pushes a batch, then pops some paths, now and then more than there are; pushes and pops of different
 /// threads come together.
@@ -34,8 +34,9 @@ impl Batches {
         self.pushes_left[thread] = count;
         self.sizes[thread] += count;
         for _ in 0..count {
-            let item =
-                vec![thread as u64, feeds.random.u64(1..1 << self.depth()), word(&self.config, feeds.random.f32())];
+            // What is kept is not looked at.
+            let distance2 = feeds.random.u64(..1 << self.config.geometry.width());
+            let item = vec![thread as u64, feeds.random.u64(1..1 << self.config.node_bits()), distance2];
             feeds.feed("push", item);
         }
         if count == 0 {

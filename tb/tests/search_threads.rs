@@ -7,7 +7,7 @@ use pointcore_hdl::search::threads;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, lockstep, query};
 
-const QUERIES: u64 = 100;
+const QUERIES: u64 = 600;
 
 /// Descents reach leaves, leaves are done or skipped later, pops find a path or an empty stack.
 #[derive(Clone)]

@@ -12,7 +12,7 @@ use pointcore_hdl::search::top;
 use crate::search::environment::{Feeds, Rule};
 use crate::search::memory::Memory;
 use crate::search::tree::Tree;
-use crate::search::{all, configs, coordinate, lockstep, number, query, word};
+use crate::search::{all, configs, coordinate, lockstep, number, query_at, word};
 
 const QUERIES: u64 = 40;
 /// How much farther than a ball query asks its cached neighborhood reaches.
@@ -77,7 +77,7 @@ impl Host {
         let tree = Tree::random(config, random);
         let mode = (config.neighbor_cache > 0).then(|| if random.bool() { Mode::Nearest } else { Mode::Ball });
         let queries = match mode {
-            None => (0..QUERIES).map(|number| query(config, number, random)).collect(),
+            None => (0..QUERIES).map(|number| query_at(coordinate, config, number, random)).collect(),
             Some(mode) => coherent_queries(config, mode, random),
         };
         Self {

@@ -10,7 +10,7 @@ use crate::search::memory::Memory;
 use crate::search::tree::Tree;
 use crate::search::{all, configs, lockstep, start};
 
-const DESCENTS: u64 = 100;
+const DESCENTS: u64 = 400;
 
 /// Each thread comes back with a path that it pushed, or with another query when it has none. Nodes that the unit does not
 /// hold come back with their records.
@@ -76,7 +76,7 @@ fn descents_agree_with_the_model_and_visit_every_leaf() {
     for config in configs().into_iter().chain(without_nodes) {
         let unit = traversal::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
-            let tree = Tree::random(&config, &mut feeds.random);
+            let tree = Tree::fine(&config, &mut feeds.random);
             let mut threads = Threads {
                 config: config.clone(),
                 writes_left: tree.writes.len(),

@@ -26,7 +26,7 @@ fn golden(depth: u32) -> impl FnMut(&[u64], &mut [u64]) {
 #[test]
 fn queues_of_every_kind_of_depth_agree_with_the_model() {
     let items: Vec<Vec<u64>> = (0..ITEMS).map(|n| vec![n * 7919 % 0x2_0000]).collect();
-    for depth in [2, 3, 16, 50] {
+    for depth in [2, 3, 5, 16, 50] {
         let library = support::verilate(&pointcore_hdl::stream::fifo(depth, &LAYOUT));
         for seed in seeds(5).unwrap() {
             for (source, sink) in [

@@ -86,7 +86,8 @@ impl<R: Rule> Environment<R> {
         let streams = Streams::of(library);
         let mut random = fastrand::Rng::with_seed(seed);
         let mut stalls = || {
-            let patterns = [Stall::Never, Stall::Random(0.3), Stall::Random(0.8), Stall::Bursts(30)];
+            let patterns =
+                [Stall::Never, Stall::Random(0.3), Stall::Bursts(30), Stall::Varied, Stall::Varied, Stall::Varied];
             let pattern = patterns[random.usize(..patterns.len())];
             Stalls::new(pattern, random.fork())
         };

@@ -73,17 +73,28 @@ pub fn coordinate(random: &mut fastrand::Rng) -> f32 {
     f32::from(random.i8(-12..=12)) / 4.0
 }
 
-/// A squared distance of the format: most are on a coarse grid, so that they tie; the others have all the bits of a mantissa.
-pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
-    let grid = coordinate(random).abs();
-    let any = if random.u8(..4) == 0 { grid * (0.5 + random.f32()) } else { grid };
-    number(config, word(config, any))
+/// A coordinate of which some are on that grid; the others have all the bits of a mantissa.
+pub fn fine_coordinate(random: &mut fastrand::Rng) -> f32 {
+    if random.u8(..4) == 0 { coordinate(random) } else { 3.0 - 6.0 * random.f32() }
 }
 
-/// A squared radius, one of a few or any.
-pub fn radius2(random: &mut fastrand::Rng) -> f32 {
+/// A squared distance of the format: most are on a coarse grid, so that they tie, or all but do; the others have all the
+/// bits of a mantissa.
+pub fn distance2(config: &Config, random: &mut fastrand::Rng) -> f32 {
+    let grid = word(config, f32::from(random.u8(..=12)) / 4.0);
+    let near = grid ^ (random.u64(..) & ((1 << random.u32(..8)) - 1));
+    match random.u8(..4) {
+        0 => number(config, word(config, 3.0 * random.f32())),
+        // Zero has no neighbor that is normal.
+        1 if grid != 0 => number(config, near),
+        _ => number(config, grid),
+    }
+}
+
+/// A squared radius, one of a few or like a distance.
+pub fn radius2(config: &Config, random: &mut fastrand::Rng) -> f32 {
     let few = [f32::INFINITY, 9.0, 1.0, 0.01][random.usize(..4)];
-    if random.bool() { few } else { 9.0 * random.f32() }
+    if random.bool() { few } else { distance2(config, random) }
 }
 
 /// The word of a number: what the format has no bits for is cut off.
@@ -98,8 +109,18 @@ pub fn number(config: &Config, word: u64) -> f32 {
 
 /// `start` for a thread, or without the thread `query`: number, k, squared radius, coordinates.
 pub fn query(config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
+    query_at(fine_coordinate, config, number, random)
+}
+
+/// The same with coordinates of a kind.
+pub fn query_at(
+    coordinate: fn(&mut fastrand::Rng) -> f32,
+    config: &Config,
+    number: u64,
+    random: &mut fastrand::Rng,
+) -> Vec<u64> {
     let k = random.u64(1..=config.neighbors.into());
-    let mut query = vec![number, k, word(config, radius2(random))];
+    let mut query = vec![number, k, word(config, radius2(config, random))];
     query.extend((0..3).map(|_| word(config, coordinate(random))));
     query
 }

@@ -2,7 +2,7 @@
 
 use pointcore_contract::search::Config;
 
-use crate::search::{coordinate, number, word};
+use crate::search::{coordinate, fine_coordinate, number, word};
 
 /// Points in the order of the memory, and the writes that set up the core's tables.
 #[derive(Clone)]
@@ -16,8 +16,17 @@ pub struct Tree {
 }
 
 impl Tree {
-    /// A tree over random points, split in random dimensions, with internal leaves where there are few points.
+    /// A tree over random points of a coarse grid, split in random dimensions, with internal leaves where there are few points.
     pub fn random(config: &Config, random: &mut fastrand::Rng) -> Self {
+        Self::over(coordinate, config, random)
+    }
+
+    /// The same over points whose coordinates have all the bits of a mantissa.
+    pub fn fine(config: &Config, random: &mut fastrand::Rng) -> Self {
+        Self::over(fine_coordinate, config, random)
+    }
+
+    fn over(coordinate: fn(&mut fastrand::Rng) -> f32, config: &Config, random: &mut fastrand::Rng) -> Self {
         let most = (config.bucket << config.tree_depth) * 3 / 4;
         let count = random.u32(1..=most.min(100));
         let mut points: Vec<_> = (0..count).map(|_| [(); 3].map(|()| coordinate(random))).collect();

@@ -16,7 +16,7 @@ use rtl::Module;
 use crate::support;
 
 /// Runs of a unit, each with its own seed and pattern of stalls.
-pub const RUNS: u64 = 5;
+pub const RUNS: u64 = 6;
 
 /// When source and sink pause, in the runs of a unit.
 const PATTERNS: [(Stall, Stall); RUNS as usize] = [
@@ -25,6 +25,7 @@ const PATTERNS: [(Stall, Stall); RUNS as usize] = [
     (Stall::Bursts(40), Stall::Random(0.2)),
     (Stall::Random(0.2), Stall::Bursts(40)),
     (Stall::Never, Stall::Random(0.7)),
+    (Stall::Varied, Stall::Varied),
 ];
 
 /// When everything around a unit pauses, in the run with this seed.
