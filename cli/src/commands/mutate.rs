@@ -2,7 +2,7 @@
 
 use super::{Failure, Output, existing, merge, numbers, progress, write};
 use pointcore::configuration::{read_text, wrong};
-use pointcore_lab::mutation::{Campaign, Event, MutationError, MutationRecord, Score, Settings, Suite, self_test};
+use pointcore_lab::mutation::{Campaign, Event, MutationError, MutationRecord, Score, SelfTest, Settings, Suite};
 use pointcore_lab::{LabError, note};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -90,8 +90,8 @@ fn try_all(arguments: &Arguments, mut keep: impl FnMut(Score) -> Result<(), Fail
     let (packages, mut units): (Vec<_>, Vec<_>) =
         arguments.subjects.iter().cloned().partition(|subject| Path::new(subject).is_dir());
     for package in packages {
-        for score in watched(|progress| self_test(Path::new(&package), &campaign, progress))? {
-            keep(score)?;
+        for test in SelfTest::all(Path::new(&package)).map_err(MutationError::from)? {
+            keep(watched(|progress| test.run(&campaign, progress))?)?;
         }
     }
     if units.is_empty() && !arguments.subjects.is_empty() {

@@ -13,7 +13,7 @@ pub enum MutationError {
     /// A file could not be read or written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A record that is none of ours.
+    /// A record or a package that is none of ours.
     #[error(transparent)]
     Configuration(#[from] ConfigurationError),
     /// A program that could not be started, or failed where it must not.

@@ -20,5 +20,5 @@ mod suite;
 pub use campaign::{Campaign, Event, Score, Settings};
 pub use error::MutationError;
 pub use record::MutationRecord;
-pub use self_test::self_test;
+pub use self_test::SelfTest;
 pub use suite::Suite;

@@ -4,7 +4,7 @@ use super::MutationError;
 use super::campaign::{Campaign, Event, Score, Subject};
 use super::process::{self, Verdict, output};
 use super::record::SELF_TEST;
-use pointcore::configuration::{read_text, wrong};
+use pointcore::configuration::{ConfigurationError, read_text, wrong};
 use pointcore_tb::cache::file;
 use std::fs;
 use std::path::Path;
@@ -19,73 +19,70 @@ const RUN_ARGUMENT: &str = "+verilator+rand+reset+2";
 /// The ends of the names of a package's files: a module, its test, and what the test reads.
 const PARTS: [(&str, &str); 2] = [("_top", "_test"), ("_axi", "_axi_test")];
 
-/// Tries mutants of the cores of the package in `folder`: of `search_top.v` by `search_test.sv`, of `search_axi.v` by
-/// `search_axi_test.sv`, each with its own number of mutants.
-///
-/// # Errors
-/// There is no such package, its test fails without a mutant, or a tool fails.
-pub fn self_test(
-    folder: &Path,
-    campaign: &Campaign,
-    progress: &(dyn Fn(Event) + Sync),
-) -> Result<Vec<Score>, MutationError> {
-    let package = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let core = ["splat", "search"].into_iter().find(|core| folder.join(format!("{core}_top.v")).exists());
-    let core = core.ok_or_else(|| wrong(folder, "no package: expected a splat_top.v or search_top.v in it"))?;
-    let mut scores = Vec::new();
-    for (module, test) in PARTS {
-        let name = format!("{SELF_TEST}{package}{}", module.trim_start_matches("_top"));
-        scores.push(try_module(
-            folder,
-            &name,
-            &format!("{core}{module}"),
-            &format!("{core}{test}"),
-            campaign,
-            progress,
-        )?);
-    }
-    Ok(scores)
+/// A module of a package, with the test that ships with it.
+#[derive(Clone, Debug)]
+pub struct SelfTest<'a> {
+    folder: &'a Path,
+    name: String,
+    module: String,
+    test: String,
 }
 
-/// Mutants of one module, by one test.
-fn try_module(
-    folder: &Path,
-    name: &str,
-    module: &str,
-    test: &str,
-    campaign: &Campaign,
-    progress: &(dyn Fn(Event) + Sync),
-) -> Result<Score, MutationError> {
-    let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
-    let work = scratch.path();
-    let verilog = read_text(&folder.join(format!("{module}.v")))?;
-    // A top on AXI has the core beside it, which is tried by its own test.
-    let mut others = String::new();
-    if let Some(core) = module.strip_suffix("_axi") {
-        others = read_text(&folder.join(format!("{core}_top.v")))?;
+impl<'a> SelfTest<'a> {
+    /// Those of the package in `folder`: `search_top.v` with `search_test.sv`, `search_axi.v` with `search_axi_test.sv`.
+    ///
+    /// # Errors
+    /// There is no such package.
+    pub fn all(folder: &'a Path) -> Result<Vec<Self>, ConfigurationError> {
+        let package = folder.file_name().unwrap_or_default().to_string_lossy();
+        let core = ["splat", "search"].into_iter().find(|core| folder.join(format!("{core}_top.v")).exists());
+        let core = core.ok_or_else(|| wrong(folder, "no package: expected a splat_top.v or search_top.v in it"))?;
+        let one = |(module, test): (&str, &str)| Self {
+            folder,
+            name: format!("{SELF_TEST}{package}{}", module.trim_start_matches("_top")),
+            module: format!("{core}{module}"),
+            test: format!("{core}{test}"),
+        };
+        Ok(PARTS.into_iter().map(one).collect())
     }
-    let copy = |file_name: String| {
-        let source = folder.join(file_name);
-        fs::copy(&source, work.join(source.file_name().unwrap_or_default())).map_err(file("copy", &source))
-    };
-    copy(format!("{test}.sv"))?;
-    copy(format!("{test}.hex"))?;
-    let others_path = work.join("others.v");
-    fs::write(&others_path, &others).map_err(file("write", &others_path))?;
-    let mutated = work.join("mutated-design.v");
-    let subject =
-        Subject { verilog, others, top: module.to_owned(), tests: vec![test.to_owned()], substitute: mutated };
-    let run = |_: &[String], number: u32, limit: Duration| {
-        let program = work.join("obj_dir").join(format!("V{test}"));
-        if !program.exists() {
-            build(work, test)?;
+
+    /// Tries mutants of the module.
+    ///
+    /// # Errors
+    /// A file is missing, the test fails without a mutant, or a tool fails.
+    pub fn run(&self, campaign: &Campaign, progress: &(dyn Fn(Event) + Sync)) -> Result<Score, MutationError> {
+        let Self { folder, name, module, test } = self;
+        let scratch = tempfile::tempdir().map_err(file("create a folder in", &std::env::temp_dir()))?;
+        let work = scratch.path();
+        let verilog = read_text(&folder.join(format!("{module}.v")))?;
+        // A top on AXI has the core beside it, which is tried by its own test.
+        let mut others = String::new();
+        if let Some(core) = module.strip_suffix("_axi") {
+            others = read_text(&folder.join(format!("{core}_top.v")))?;
         }
-        let mut command = Command::new(program);
-        command.args([RUN_ARGUMENT, &format!("+mutant={number}")]).current_dir(work);
-        let verdict = process::run(command, limit, |line| line.contains("FAILED"))?;
-        Ok::<Verdict, MutationError>(verdict)
-    };
-    campaign.run(name, &[subject], work, run, progress)
+        let copy = |file_name: String| {
+            let source = folder.join(file_name);
+            fs::copy(&source, work.join(source.file_name().unwrap_or_default())).map_err(file("copy", &source))
+        };
+        copy(format!("{test}.sv"))?;
+        copy(format!("{test}.hex"))?;
+        let others_path = work.join("others.v");
+        fs::write(&others_path, &others).map_err(file("write", &others_path))?;
+        let mutated = work.join("mutated-design.v");
+        let subject =
+            Subject { verilog, others, top: module.to_owned(), tests: vec![test.to_owned()], substitute: mutated };
+        let run = |_: &[String], number: u32, limit: Duration| {
+            let program = work.join("obj_dir").join(format!("V{test}"));
+            if !program.exists() {
+                build(work, test)?;
+            }
+            let mut command = Command::new(program);
+            command.args([RUN_ARGUMENT, &format!("+mutant={number}")]).current_dir(work);
+            let verdict = process::run(command, limit, |line| line.contains("FAILED"))?;
+            Ok::<Verdict, MutationError>(verdict)
+        };
+        campaign.run(name, &[subject], work, run, progress)
+    }
 }
 
 fn build(work: &Path, test: &str) -> Result<(), MutationError> {
