@@ -32,6 +32,7 @@ const SOAK: &[&str] = &[
     "pointcore/src/number.rs",
     "pointcore/src/splat/mask.rs",
     "pointcore/src/splat/memory.rs",
+    "pointcore/src/stimuli",
     "rtl/src",
     "tb/src/lockstep",
     "tb/src/verilated",

@@ -5,6 +5,7 @@
 //! - The renderer and the search core, generated, with the hosts around them, on hardware, on the model, or on both: [`splat`], [`search`],
 //!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
 //! - What others build with: [`package`] and the [`recording`] in its test, [`bus`], [`vectors`].
+//! - Surroundings of whole cores in which anything may happen: [`stimuli`].
 
 pub mod area;
 pub mod bus;
@@ -23,6 +24,7 @@ pub mod scene;
 pub mod search;
 pub mod shading;
 pub mod splat;
+pub mod stimuli;
 pub mod uniforms;
 pub mod vectors;
 pub mod waveform;

@@ -5,6 +5,10 @@ use std::sync::Arc;
 
 use fastrand::Rng;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
+use pointcore::stimuli::configuration::renderer as random_renderer;
+use pointcore::stimuli::frames::{Lens, frames};
+use pointcore::stimuli::pace::{Paces, Turns};
+use pointcore::stimuli::{renderer, searcher};
 use pointcore_contract::bus::Config as Widths;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::bus::units::splat_axi::Ports;
@@ -14,11 +18,8 @@ use pointcore_contract::splat::records::{Fragment, Splat, Uniforms};
 use pointcore_contract::{read, words};
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
-use pointcore_lab::soak::configuration::renderer as random_renderer;
 use pointcore_lab::soak::device::{AnyConfig, Core, Device, Ran};
-use pointcore_lab::soak::frames::frames;
-use pointcore_lab::soak::pace::{Paces, Turns};
-use pointcore_lab::soak::{renderer, searcher};
+use pointcore_lab::soak::extent;
 use pointcore_tb::lockstep::{Stall, seeds};
 use pointcore_tb::verilated::{BuildOptions, Builder};
 
@@ -62,7 +63,7 @@ fn renderers_come_to_their_end_whatever_is_held() {
         let device = device(Core::Splat, seed);
         let AnyConfig::Splat(config) = AnyConfig::random(Core::Splat, &mut Rng::with_seed(seed)) else { unreachable!() };
         check(seed, renderer::STREAMS, |paces| {
-            let script = renderer::Script::random(&config, &mut Rng::with_seed(seed));
+            let script = extent::renderer(&config, &mut Rng::with_seed(seed));
             let script = renderer::Script { paces, latency: LATE, resets: vec![], ..script };
             let ran = device.render(script, seed, "this test");
             ran.unwrap_or_else(|error| panic!("seed {seed}: {error}"))
@@ -77,7 +78,7 @@ fn search_cores_come_to_their_end_whatever_is_held_and_in_whatever_order_memory_
         let AnyConfig::Search(config) = AnyConfig::random(Core::Search, &mut Rng::with_seed(seed)) else { unreachable!() };
         for window in [1, usize::MAX] {
             check(seed, searcher::STREAMS, |paces| {
-                let script = searcher::Script::random(&config, &mut Rng::with_seed(seed));
+                let script = searcher::Script::random(&config, extent::SEARCH, &mut Rng::with_seed(seed));
                 let answers = searcher::Answers { latency: LATE, window };
                 let script = searcher::Script { paces, answers, resets: vec![], ..script };
                 let ran = device.search(script, seed, "this test");
@@ -111,7 +112,7 @@ fn renderers_on_a_bus_come_to_their_end_whichever_memory_does_first() {
         let random = &mut Rng::with_seed(seed);
         let bus = Widths { stream_bits: 32 << random.u32(..5), memory_bits: 32 << random.u32(..5) };
         let config = Config { bus, ..random_renderer(random) };
-        let (frame, (expected, bound)) = frames(&config, FRAMES, random)
+        let (frame, (expected, bound)) = frames(&config, FRAMES, extent::RENDERER.splats, Lens::whole(&config), Some(extent::HARD_CASES), random)
             .into_iter()
             .map(|frame| {
                 let uniforms: Uniforms = read(&config, &frame.uniforms);

@@ -2,10 +2,10 @@
 
 use super::shard::{Shard, spread};
 use super::{Failure, Output, existing, merge, numbers, write};
-use pointcore::configuration::{read_text, wrong};
+use pointcore::configuration::{parse, read_text, wrong};
 use pointcore_lab::soak::campaign::Campaign;
 use pointcore_lab::soak::case::CaseOutcome;
-use pointcore_lab::soak::device::Core;
+use pointcore_lab::soak::device::{AnyConfig, Core};
 use pointcore_lab::soak::record::{SoakEntry, SoakRecord};
 use pointcore_lab::synthesis::Revision;
 use pointcore_lab::{LabError, note};
@@ -43,8 +43,11 @@ pub struct Arguments {
     /// Run this case alone, as a failure names it, whether it is kept or not.
     #[arg(long, value_name = "N", value_parser = numbers::whole(), conflicts_with_all = ["cases", "record", "recorded"])]
     case: Option<u64>,
-    /// Of the case, make this run alone.
-    #[arg(long, value_name = "N", value_parser = numbers::whole(), requires = "case")]
+    /// Run the configuration of this file alone, in the place of random ones.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["case", "cases", "shard", "record", "recorded"])]
+    configuration: Option<PathBuf>,
+    /// Of the case or the configuration, make this run alone.
+    #[arg(long, value_name = "N", value_parser = numbers::whole())]
     run: Option<u64>,
     /// Add what the cases came to to this file.
     #[arg(long, value_name = "FILE")]
@@ -73,7 +76,7 @@ impl Arguments {
 
     /// The cases to be run.
     fn numbers(&self) -> Vec<u64> {
-        match (self.case, self.shard) {
+        match (self.case.or(self.configuration.as_ref().map(|_| 0)), self.shard) {
             (Some(case), _) => vec![case],
             (None, Some(shard)) => shard.of(0..self.cases),
             (None, None) => (0..self.cases).collect(),
@@ -83,6 +86,11 @@ impl Arguments {
 
 /// Runs the cases that are not kept, and says what came of all.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    if arguments.run.is_some() && arguments.case.is_none() && arguments.configuration.is_none() {
+        return Err(Failure::Usage(
+            "--run is one of a case or configuration: expected --case or --configuration".into(),
+        ));
+    }
     if arguments.record.is_some() && arguments.revision.is_none() && !arguments.recorded {
         let problem = "--record needs the revision that is run: expected --revision, a commit's short hash or a date";
         return Err(Failure::Usage(problem.to_owned()));
@@ -123,14 +131,19 @@ fn tabulate(record: &SoakRecord, path: &Path) -> Result<(), Failure> {
 /// What all cases came to; those that were finished are kept when one cannot be run.
 fn soak(arguments: &Arguments) -> Result<Vec<CaseOutcome>, Failure> {
     let (campaign, numbers) = (arguments.campaign()?, arguments.numbers());
+    let given = arguments.configuration.as_ref();
+    let given =
+        given.map(|path| Ok::<_, Failure>((path, AnyConfig::from(parse(path, &read_text(path)?)?)))).transpose()?;
     let (done, cycles) = (AtomicU64::new(0), AtomicU64::new(0));
     let outcomes = spread(&numbers, arguments.jobs, |&number| {
-        let kept = if arguments.case.is_some() { None } else { campaign.kept(number)? };
+        let is_alone = arguments.case.is_some() || given.is_some();
+        let kept = if is_alone { None } else { campaign.kept(number)? };
         let is_new = kept.is_none();
-        let outcome = match kept {
-            Some(outcome) => Ok(outcome),
-            None if arguments.case.is_some() => campaign.again(number, arguments.run),
-            None => campaign.run(number),
+        let outcome = match (kept, &given) {
+            (Some(outcome), _) => Ok(outcome),
+            (None, Some((path, config))) => campaign.given(path, config.clone(), arguments.run),
+            (None, None) if is_alone => campaign.again(number, arguments.run),
+            (None, None) => campaign.run(number),
         };
         let outcome = outcome.inspect_err(|error| {
             note!("case {number} cannot be run (pointcore soak --seed {} --case {number}): {error}", arguments.seed);

@@ -1,6 +1,6 @@
 //! How long a core may be silent: from its parameters, twice what its slowest work without a transfer takes.
 
-use super::trees::RandomTree;
+use pointcore::stimuli::trees::RandomTree;
 use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_contract::{search, splat};
 use pointcore_golden::{search as search_model, splat as splat_model};

@@ -5,12 +5,13 @@
 //! machines is put together by running it again.
 
 use super::case::{Case, CaseOutcome, Extent};
+use super::device::AnyConfig;
 use crate::LabError;
 use crate::accuracy::{read_result, write_result};
 use pointcore_tb::cache::{Cache, key};
 use pointcore_tb::verilated::{Builder, Library};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Hash of the sources that decide what a case comes to; the build script makes it.
@@ -32,7 +33,7 @@ impl Campaign {
     }
 
     const fn case(&self, number: u64) -> Case {
-        Case { seed: self.seed, number }
+        Case { seed: self.seed, number, given: None }
     }
 
     fn key(&self, number: u64) -> String {
@@ -68,8 +69,19 @@ impl Campaign {
     /// # Errors
     /// It cannot be run.
     pub fn again(&self, number: u64, run: Option<u64>) -> Result<CaseOutcome, LabError> {
+        self.alone(&self.case(number), run)
+    }
+
+    /// Runs the configuration of a file, or one run on it; keeps nothing.
+    ///
+    /// # Errors
+    /// It cannot be run.
+    pub fn given(&self, path: &Path, config: AnyConfig, run: Option<u64>) -> Result<CaseOutcome, LabError> {
+        self.alone(&Case { seed: self.seed, number: 0, given: Some((path.to_owned(), config)) }, run)
+    }
+
+    fn alone(&self, case: &Case, run: Option<u64>) -> Result<CaseOutcome, LabError> {
         let extent = run.map_or(Extent::Cycles(self.cycles), Extent::Run);
-        let case = self.case(number);
         case.run(&case.device(&self.builder)?, extent)
     }
 }

@@ -6,15 +6,18 @@ use fastrand::Rng;
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, Trace};
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Which case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Case {
     /// The seed of all cases of a campaign.
     pub seed: u64,
-    /// Its number: even ones are renderers, odd ones search cores.
+    /// Its number.
     pub number: u64,
+    /// Its configuration and the file that holds it; without one, it is random: even numbers are renderers, odd ones search cores.
+    pub given: Option<(PathBuf, AnyConfig)>,
 }
 
 /// A run that was not clean.
@@ -64,12 +67,16 @@ const CONFIGURATION: u64 = u64::MAX;
 impl Case {
     /// Its core.
     #[must_use]
-    pub const fn core(self) -> Core {
-        if self.number.is_multiple_of(2) { Core::Splat } else { Core::Search }
+    pub fn core(&self) -> Core {
+        match &self.given {
+            Some((_, config)) => config.core(),
+            None if self.number.is_multiple_of(2) => Core::Splat,
+            None => Core::Search,
+        }
     }
 
     /// A seed of its own for each of its parts.
-    fn seed_of(self, part: u64) -> u64 {
+    fn seed_of(&self, part: u64) -> u64 {
         // Each draw spreads what was mixed in over all bits.
         let mix = |seed: u64, part: u64| Rng::with_seed(seed ^ part).u64(..);
         mix(mix(mix(0, self.seed), self.number), part)
@@ -77,20 +84,25 @@ impl Case {
 
     /// Its configuration.
     #[must_use]
-    pub fn configuration(self) -> AnyConfig {
-        AnyConfig::random(self.core(), &mut Rng::with_seed(self.seed_of(CONFIGURATION)))
+    pub fn configuration(&self) -> AnyConfig {
+        let random = || AnyConfig::random(self.core(), &mut Rng::with_seed(self.seed_of(CONFIGURATION)));
+        self.given.as_ref().map_or_else(random, |(_, config)| config.clone())
     }
 
     /// The command that makes one of its runs alone.
-    fn command(self, run: u64) -> String {
-        format!("pointcore soak --seed {} --case {} --run {run}", self.seed, self.number)
+    fn command(&self, run: u64) -> String {
+        let Self { seed, number, given } = self;
+        match given {
+            Some((path, _)) => format!("pointcore soak --seed {seed} --configuration {} --run {run}", path.display()),
+            None => format!("pointcore soak --seed {seed} --case {number} --run {run}"),
+        }
     }
 
     /// Its core, compiled for speed.
     ///
     /// # Errors
     /// It could not be generated, compiled or loaded.
-    pub fn device(self, builder: &Arc<Builder>) -> Result<Device, LabError> {
+    pub fn device(&self, builder: &Arc<Builder>) -> Result<Device, LabError> {
         let options = BuildOptions { optimization: Optimization::Full, trace: Trace::Off };
         Device::build(&self.configuration(), builder, options)
     }
@@ -99,7 +111,7 @@ impl Case {
     ///
     /// # Errors
     /// The core could not be run: nothing is said of hardware and model.
-    pub fn run(self, device: &Device, extent: Extent) -> Result<CaseOutcome, LabError> {
+    pub fn run(&self, device: &Device, extent: Extent) -> Result<CaseOutcome, LabError> {
         let mut outcome = CaseOutcome {
             case: self.number,
             core: self.core(),
@@ -140,13 +152,13 @@ mod tests {
 
     #[test]
     fn a_case_follows_from_seed_and_number_alone() {
-        let text = |seed, number| Case { seed, number }.configuration().text();
+        let case = |seed, number| Case { seed, number, given: None };
+        let text = |seed, number| case(seed, number).configuration().text();
         assert_eq!(text(3, 8), text(3, 8));
         let numbers = 0..50;
         let different: HashSet<_> = numbers.flat_map(|number| [text(3, number), text(4, number)]).collect();
         assert!(different.len() > 95, "{} of 100", different.len());
-        let case = Case { seed: 3, number: 8 };
-        assert_ne!(case.seed_of(0), case.seed_of(1));
-        assert_eq!(case.command(5), "pointcore soak --seed 3 --case 8 --run 5");
+        assert_ne!(case(3, 8).seed_of(0), case(3, 8).seed_of(1));
+        assert_eq!(case(3, 8).command(5), "pointcore soak --seed 3 --case 8 --run 5");
     }
 }

@@ -1,12 +1,14 @@
 //! A core of a random configuration, generated and verilated, and its runs beside the model.
 
-use super::surroundings::{Pending, Surroundings};
-use super::{bound, configuration, renderer, searcher};
+use super::{bound, extent};
 use crate::LabError;
 use fastrand::Rng;
+use pointcore::configuration::Configuration;
 use pointcore::search::SearchCore;
 use pointcore::splat::SplatCore;
 use pointcore::splat::mask::{end_records, outputs};
+use pointcore::stimuli::surroundings::{Idle, Pending, Surroundings};
+use pointcore::stimuli::{configuration, renderer, searcher};
 use pointcore_contract::{search, splat};
 use pointcore_golden::unit::{Ported, Unit};
 use pointcore_golden::{search::Top as SearchModel, splat::Top as SplatModel};
@@ -88,6 +90,15 @@ pub struct Device {
     library: Arc<Library>,
 }
 
+impl From<Configuration> for AnyConfig {
+    fn from(configuration: Configuration) -> Self {
+        match configuration {
+            Configuration::Splat(config) => Self::Splat(config),
+            Configuration::Search(config) => Self::Search(config),
+        }
+    }
+}
+
 impl AnyConfig {
     /// A random one.
     #[must_use]
@@ -95,6 +106,15 @@ impl AnyConfig {
         match core {
             Core::Splat => Self::Splat(configuration::renderer(random)),
             Core::Search => Self::Search(configuration::search_core(random)),
+        }
+    }
+
+    /// Its core.
+    #[must_use]
+    pub const fn core(&self) -> Core {
+        match self {
+            Self::Splat(_) => Core::Splat,
+            Self::Search(_) => Core::Search,
         }
     }
 
@@ -146,11 +166,11 @@ impl Device {
         let random = &mut Rng::with_seed(seed);
         match &self.generated {
             Generated::Splat(config, _) => {
-                let script = renderer::Script::random(config, random);
+                let script = extent::renderer(config, random);
                 self.render(script, seed, reproduce)
             }
             Generated::Search(config, _) => {
-                let script = searcher::Script::random(config, random);
+                let script = searcher::Script::random(config, extent::SEARCH, random);
                 self.search(script, seed, reproduce)
             }
         }
@@ -167,7 +187,8 @@ impl Device {
         let Generated::Splat(config, core) = &self.generated else { panic!("a search core renders nothing") };
         let latencies = core.latencies();
         let quiet = bound::renderer(config, &latencies);
-        let host = renderer::Renderer::new(&self.library, config, script, quiet, Rng::with_seed(seed));
+        let idle = Idle::new(&self.library, Rng::with_seed(seed));
+        let host = renderer::Renderer::new(config, script, Some(idle), quiet);
         let interface = (splat::units::top::UNIT.interface)(config);
         let lockstep = || {
             let mut model = Ported::new(config, SplatModel::new(config, &latencies));
@@ -189,7 +210,9 @@ impl Device {
         let Generated::Search(config, core) = &self.generated else { panic!("a renderer searches nothing") };
         let latencies = core.latencies();
         let quiet = bound::search_core(config, &latencies, &script.tree);
-        let host = searcher::Searcher::new(&self.library, config, script, quiet, Rng::with_seed(seed));
+        let mut random = Rng::with_seed(seed);
+        let idle = Idle::new(&self.library, random.fork());
+        let host = searcher::Searcher::new(config, script, Some(idle), quiet, random);
         let lockstep = || {
             let mut model = Ported::new(config, SearchModel::new(config, latencies));
             let step = move |inputs: &[u64], outputs: &mut [u64]| model.step(inputs, outputs);

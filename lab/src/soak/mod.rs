@@ -4,12 +4,6 @@
 pub mod bound;
 pub mod campaign;
 pub mod case;
-pub mod configuration;
 pub mod device;
-pub mod frames;
-pub mod pace;
+pub mod extent;
 pub mod record;
-pub mod renderer;
-pub mod searcher;
-pub mod surroundings;
-pub mod trees;

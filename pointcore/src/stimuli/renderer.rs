@@ -1,32 +1,43 @@
 //! What is around the renderer: a host that sends frame after frame and memory behind it, each stream at its own pace,
 //! with resets in between.
 
-use super::frames::{Frame, frames};
+use super::frames::{Frame, HardCases, Lens, frames};
 use super::pace::Paces;
-use super::surroundings::{Idle, Pending, Surroundings, Watch};
+use super::surroundings::{Idle, Pending, Surroundings, Watch, resets};
+use crate::splat::memory::ReconstructionBuffer;
 use fastrand::Rng;
-use pointcore::splat::memory::ReconstructionBuffer;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::UniformWrite;
 use pointcore_contract::{read, write};
 use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stimulus};
-use pointcore_tb::verilated::Library;
 use std::sync::Arc;
 
 /// Streams that can be held back, and their places among the paces.
 const SPLAT: usize = 0;
-const DATA: usize = 1;
-const READ: usize = 2;
-const WRITE: usize = 3;
+/// That of pixels from memory.
+pub const DATA: usize = 1;
+/// That of reads.
+pub const READ: usize = 2;
+/// That of pixels to memory.
+pub const WRITE: usize = 3;
 const FRAGMENT: usize = 4;
 const UNIFORM: usize = 5;
 /// How many they are.
 pub const STREAMS: usize = 6;
-/// Frames sent one after the other, at most.
-const FRAMES: usize = 4;
-/// Cycles that memory takes to answer, at most.
-pub const LATENCY_CYCLES: u64 = 400;
+
+/// How much there is of everything, at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// Frames one after the other.
+    pub frames: usize,
+    /// Splats of a frame; four times as many where they are small.
+    pub splats: u32,
+    /// Cycles that memory takes to answer.
+    pub latency_cycles: u64,
+    /// Cycles within which a reset comes, if one does.
+    pub reset_cycles: u64,
+}
 
 /// The host and its memory before a run, or in the midst of it.
 #[derive(Clone)]
@@ -34,7 +45,7 @@ pub struct Renderer {
     config: Config,
     frames: Arc<[Frame]>,
     paces: Paces,
-    idle: Idle,
+    idle: Option<Idle>,
     watch: Watch,
     latency: u64,
     /// Cycles in which the core is reset.
@@ -65,26 +76,27 @@ pub struct Script {
 impl Script {
     /// A random one.
     #[must_use]
-    pub fn random(config: &Config, random: &mut Rng) -> Self {
-        let count = random.usize(1..=FRAMES);
-        let frames = frames(config, count, random);
+    pub fn random(config: &Config, most: Bounds, lens: Lens, hard: Option<HardCases>, random: &mut Rng) -> Self {
+        let count = random.usize(1..=most.frames);
+        let frames = frames(config, count, most.splats, lens, hard, random);
         let paces = Paces::random(random, STREAMS);
-        let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=LATENCY_CYCLES) };
-        Self { frames, paces, latency, resets: super::surroundings::resets(random) }
+        let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=most.latency_cycles) };
+        Self { frames, paces, latency, resets: resets(most.reset_cycles, random) }
     }
 }
 
 impl Renderer {
-    /// The host of a core, out of reset; silence for so many cycles means that it is stuck.
+    /// The host of a core, out of reset; silence for so many cycles means that it is stuck. What streams that offer nothing
+    /// show is filled, or left as it is.
     #[must_use]
-    pub fn new(library: &Library, config: &Config, script: Script, quiet_cycles: u64, random: Rng) -> Self {
+    pub fn new(config: &Config, script: Script, idle: Option<Idle>, quiet_cycles: u64) -> Self {
         let Script { frames, paces, latency, resets } = script;
         Self {
             config: config.clone(),
             frames: frames.into(),
             watch: Watch::new(quiet_cycles + latency + paces.longest()),
             paces,
-            idle: Idle::new(library, random),
+            idle,
             latency,
             resets,
             buffer: ReconstructionBuffer::new(1 << config.tile_bits(), latency),
@@ -180,7 +192,9 @@ impl Stimulus for Renderer {
         // The reset comes first.
         inputs[0] = u64::from(is_reset);
         write(&self.config, self.inputs, &mut inputs[1..]);
-        self.idle.fill(inputs);
+        if let Some(idle) = &mut self.idle {
+            idle.fill(inputs);
+        }
         Flow::Continue
     }
 }

@@ -1,19 +1,18 @@
 //! Random trees and queries for a search core of any configuration: points on a coarse grid, so that distances tie,
-//! duplicates, numbers that are none, leaves without points.
+//! duplicates, numbers that are none, leaves without points. Leaves lie together in memory or scattered over all of it, and
+//! queries have numbers with all their bits.
 
-use super::configuration::one_of;
+use super::one_of;
+use crate::number::{decode, encode};
 use fastrand::Rng;
-use pointcore::number::{decode, encode};
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{
     Bucket, CacheSetup, CachedQuery, LANES_MAX, Lookup, Node, Points, Query, TreeRecord, TreeWrite,
 };
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
-/// Points of a tree at most.
-const POINTS: u32 = 300;
-/// Queries asked one after the other at most.
-const QUERIES: u32 = 60;
+/// Odd, so that products with it are another order of all numbers; its bits are those of the golden ratio.
+const STEP: u32 = 0x9e37_79b1;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, f32::MAX, f32::MIN, 1e-40, 1e-25];
 
@@ -39,6 +38,8 @@ pub struct RandomTree {
     lanes: usize,
     /// By lane, beat after beat; NaN where there is none.
     points: Vec<Point>,
+    /// The first beat of each leaf in memory, and among the points.
+    places: BTreeMap<u32, u32>,
     /// What the host writes.
     pub writes: Vec<TreeWrite>,
     by_address: HashMap<(bool, u32), TreeWrite>,
@@ -64,18 +65,19 @@ fn coordinate(config: &Config, spread: Spread, random: &mut Rng) -> u32 {
 }
 
 impl RandomTree {
-    /// A tree that the configuration's memories and indices hold.
+    /// A tree of so many points at most, which the configuration's memories and indices hold.
     #[must_use]
-    pub fn random(config: &Config, random: &mut Rng) -> Self {
+    pub fn random(config: &Config, most_points: u32, random: &mut Rng) -> Self {
         let spread = one_of(random, &[Spread::Grid, Spread::Grid, Spread::Fine, Spread::Wild, Spread::Same]);
         // As many as its leaves hold, with room for an uneven division.
         let most = (u64::from(config.bucket) << config.tree_depth) * 3 / 4;
-        let mut count = random.u32(1..=most.clamp(1, POINTS.into()) as u32);
+        let mut count = random.u32(1..=most.clamp(1, most_points.into()) as u32);
         let room = 1_u64 << config.beat_bits();
         loop {
             let points = (0..count).map(|_| [(); 3].map(|()| coordinate(config, spread, random))).collect();
-            let tree = Self::of(config, points, spread, random);
-            if tree.beats() <= room {
+            let mut tree = Self::of(config, points, spread, random);
+            if let Some(free) = room.checked_sub(tree.beats()) {
+                tree.place(if random.bool() { free as u32 } else { 0 }, random);
                 return tree;
             }
             // One point in one leaf always has room.
@@ -85,10 +87,24 @@ impl RandomTree {
 
     fn of(config: &Config, mut points: Vec<Point>, spread: Spread, random: &mut Rng) -> Self {
         let lanes = config.lanes as usize;
-        let mut tree = Self { lanes, points: vec![], writes: vec![], by_address: HashMap::new(), spread };
+        let places = BTreeMap::new();
+        let mut tree = Self { lanes, points: vec![], places, writes: vec![], by_address: HashMap::new(), spread };
         tree.build(config, random, &Part { address: 1, level: 0 }, &mut points);
-        tree.by_address = tree.writes.iter().map(|write| ((write.is_leaf, write.address), *write)).collect();
         tree
+    }
+
+    /// Leaves so many beats of the memory free, before and between leaves.
+    fn place(&mut self, free: u32, random: &mut Rng) {
+        // They were written in the order in which they lie.
+        let leaves: Vec<_> = self.writes.iter_mut().filter(|write| write.is_leaf).collect();
+        let mut gaps: Vec<_> = leaves.iter().map(|_| random.u32(0..=free)).collect();
+        gaps.sort_unstable();
+        for (leaf, gap) in leaves.into_iter().zip(gaps) {
+            let begin = &mut leaf.bucket.begin;
+            self.places.insert(*begin + gap, *begin);
+            *begin += gap;
+        }
+        self.by_address = self.writes.iter().map(|write| ((write.is_leaf, write.address), *write)).collect();
     }
 
     fn build(&mut self, config: &Config, random: &mut Rng, part: &Part, points: &mut [Point]) {
@@ -136,7 +152,8 @@ impl RandomTree {
     #[must_use]
     pub fn beat(&self, address: u32) -> Points {
         let mut lane = [Point::default(); LANES_MAX];
-        let begin = address as usize * self.lanes;
+        let (place, packed) = self.places.range(..=address).next_back().expect("memory is asked for beats of leaves");
+        let begin = (packed + address - place) as usize * self.lanes;
         lane[..self.lanes].copy_from_slice(&self.points[begin..begin + self.lanes]);
         Points { lane }
     }
@@ -159,9 +176,9 @@ impl RandomTree {
         CacheSetup { ball, far_scale: scale(1.0 - random.f32() / 1000.0), margin_scale: scale(margin) }
     }
 
-    /// Queries that are asked together: near a few places, so that a neighbor cache is of use, or anywhere.
+    /// So many queries at most that are asked together: near a few places, so that a neighbor cache is of use, or anywhere.
     #[must_use]
-    pub fn queries(&self, config: &Config, random: &mut Rng) -> Vec<CachedQuery> {
+    pub fn queries(&self, config: &Config, most: u32, random: &mut Rng) -> Vec<CachedQuery> {
         let place = |random: &mut Rng| match random.u8(..4) {
             // A point itself: distances of zero.
             0 => self.points[random.usize(..self.points.len())],
@@ -181,12 +198,12 @@ impl RandomTree {
                 0 => (random.u8(1..=config.neighbors as u8), one_of(random, &radii)),
                 _ => (all_k, common),
             };
-            let number = number & (u32::MAX >> (u32::BITS - config.index_bits));
+            let number = number.wrapping_mul(STEP) & (u32::MAX >> (u32::BITS - config.index_bits));
             let reach = encode(config.geometry, random.f32());
             let query = Query { number, k, radius2: encode(config.geometry, radius2), point };
             CachedQuery { query, reach: if config.neighbor_cache > 0 { reach } else { 0 } }
         };
-        let count = random.u32(1..=QUERIES);
+        let count = random.u32(1..=most);
         (0..count).map(|number| query(number, random)).collect()
     }
 }
@@ -194,29 +211,31 @@ impl RandomTree {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::soak::configuration::search_core;
+    use crate::stimuli::configuration::search_core;
 
     #[test]
     fn every_tree_fits_its_configuration() {
-        let (mut leaves, mut empty, mut queries) = (0, 0, 0);
+        let (mut leaves, mut empty, mut queries, mut far) = (0, 0, 0, 0);
         for seed in 0..300 {
             let random = &mut Rng::with_seed(seed);
             let config = search_core(random);
-            let tree = RandomTree::random(&config, random);
+            let tree = RandomTree::random(&config, 300, random);
             for write in tree.writes.iter().filter(|write| write.is_leaf) {
                 assert!(u64::from(write.address) < 1 << config.tree_depth);
                 let end = u64::from(write.bucket.begin) + u64::from(write.bucket.beats);
                 assert!(end <= 1 << config.beat_bits(), "{config:?}");
                 assert!(u32::from(write.bucket.beats) <= config.bucket.div_ceil(config.lanes), "{config:?}");
                 leaves += 1;
+                far += usize::from(u64::from(write.bucket.begin) > tree.beats());
                 let nan = encode(config.geometry, f32::NAN);
                 empty += usize::from(tree.beat(write.bucket.begin).lane[0] == [nan; 3]);
             }
-            let asked = tree.queries(&config, random);
+            let asked = tree.queries(&config, 60, random);
             let is_sound = |query: &CachedQuery| (1..=config.neighbors).contains(&u32::from(query.query.k));
             assert!(!asked.is_empty() && asked.iter().all(is_sound));
             queries += asked.len();
         }
         assert!(leaves > 600 && empty > 20 && queries > 3000, "{leaves} leaves, {empty} empty, {queries} queries");
+        assert!(far > leaves / 4, "{far} leaves far off");
     }
 }

@@ -10,7 +10,6 @@ use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, CachedQue
 use pointcore_contract::{read, write};
 use pointcore_golden::search::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stimulus};
-use pointcore_tb::verilated::Library;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -24,12 +23,23 @@ const RESULT: usize = 5;
 const TREE: usize = 6;
 /// How many they are.
 pub const STREAMS: usize = 7;
-/// Searches one after the other, at most.
-const SEARCHES: usize = 4;
-/// Cycles that memory takes to answer, at most.
-pub const LATENCY_CYCLES: u64 = 400;
 /// Requests among which memory chooses, at most.
 const WINDOW: usize = 32;
+
+/// How much there is of everything, at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// Searches one after the other.
+    pub searches: usize,
+    /// Points of the tree.
+    pub points: u32,
+    /// Queries of a search.
+    pub queries: u32,
+    /// Cycles that memory takes to answer.
+    pub latency_cycles: u64,
+    /// Cycles within which a reset comes, if one does.
+    pub reset_cycles: u64,
+}
 
 /// Queries that are asked together, and how the neighbor cache judges then.
 #[derive(Clone, Debug)]
@@ -100,17 +110,23 @@ pub struct Script {
 impl Script {
     /// A random one.
     #[must_use]
-    pub fn random(config: &Config, random: &mut Rng) -> Self {
-        let tree = RandomTree::random(config, random);
+    pub fn random(config: &Config, most: Bounds, random: &mut Rng) -> Self {
+        let tree = RandomTree::random(config, most.points, random);
         let search = |random: &mut Rng| Search {
             setup: RandomTree::setup(config, random),
-            queries: tree.queries(config, random),
+            queries: tree.queries(config, most.queries, random),
         };
-        let searches = (0..random.usize(1..=SEARCHES)).map(|_| search(random)).collect();
-        let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=LATENCY_CYCLES) };
+        let searches = (0..random.usize(1..=most.searches)).map(|_| search(random)).collect();
+        let latency = if random.bool() { random.u64(1..20) } else { random.u64(1..=most.latency_cycles) };
         let window = if random.u8(..3) == 0 { 1 } else { random.usize(2..=WINDOW) };
         let answers = Answers { latency, window };
-        Self { tree, searches, paces: Paces::random(random, STREAMS), answers, resets: resets(random) }
+        Self {
+            tree,
+            searches,
+            paces: Paces::random(random, STREAMS),
+            answers,
+            resets: resets(most.reset_cycles, random),
+        }
     }
 }
 
@@ -121,7 +137,7 @@ pub struct Searcher {
     tree: Arc<RandomTree>,
     searches: Arc<[Search]>,
     paces: Paces,
-    idle: Idle,
+    idle: Option<Idle>,
     watch: Watch,
     resets: Vec<u64>,
     fetches: Port<Fetch>,
@@ -139,9 +155,10 @@ pub struct Searcher {
 }
 
 impl Searcher {
-    /// The host of a core, out of reset; silence for so many cycles means that it is stuck.
+    /// The host of a core, out of reset; silence for so many cycles means that it is stuck. What streams that offer nothing
+    /// show is filled, or left as it is.
     #[must_use]
-    pub fn new(library: &Library, config: &Config, script: Script, quiet_cycles: u64, mut random: Rng) -> Self {
+    pub fn new(config: &Config, script: Script, idle: Option<Idle>, quiet_cycles: u64, mut random: Rng) -> Self {
         let Script { tree, searches, paces, answers, resets } = script;
         Self {
             config: config.clone(),
@@ -152,7 +169,7 @@ impl Searcher {
             resets,
             fetches: Port::new(answers, random.fork()),
             lookups: Port::new(answers, random.fork()),
-            idle: Idle::new(library, random),
+            idle,
             inputs: In::default(),
             written: 0,
             search: 0,
@@ -260,7 +277,9 @@ impl Stimulus for Searcher {
         // The reset comes first.
         inputs[0] = u64::from(is_reset);
         write(&self.config, self.inputs, &mut inputs[1..]);
-        self.idle.fill(inputs);
+        if let Some(idle) = &mut self.idle {
+            idle.fill(inputs);
+        }
         Flow::Continue
     }
 }

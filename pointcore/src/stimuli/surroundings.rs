@@ -6,8 +6,6 @@ use pointcore_tb::verilated::{Direction, Library};
 
 /// Cycles that a core is watched for after everything has come out.
 const AFTER_CYCLES: u64 = 100;
-/// Cycles within which a reset comes, in a run that has some.
-const RESET_WITHIN: u64 = 30_000;
 
 /// A stimulus that knows when the core is stuck.
 pub trait Surroundings: Stimulus + Clone {
@@ -102,11 +100,11 @@ impl Watch {
     }
 }
 
-/// Cycles in which a core is reset, the last one first: in most runs never.
+/// Cycles in which a core is reset, the last one first: in most runs never, else within so many cycles.
 #[must_use]
-pub fn resets(random: &mut Rng) -> Vec<u64> {
+pub fn resets(within: u64, random: &mut Rng) -> Vec<u64> {
     let count = if random.u8(..4) == 0 { random.usize(1..=2) } else { 0 };
-    let mut cycles: Vec<_> = (0..count).map(|_| random.u64(1..RESET_WITHIN)).collect();
+    let mut cycles: Vec<_> = (0..count).map(|_| random.u64(1..within)).collect();
     // A reset of several cycles.
     if let Some(first) = cycles.first().copied() {
         cycles.extend((1..random.u64(1..4)).map(|cycle| first + cycle));
@@ -132,7 +130,7 @@ mod tests {
 
     #[test]
     fn resets_come_last_first_and_often_not_at_all() {
-        let all: Vec<_> = (0..100).map(|seed| resets(&mut Rng::with_seed(seed))).collect();
+        let all: Vec<_> = (0..100).map(|seed| resets(1000, &mut Rng::with_seed(seed))).collect();
         assert!(all.iter().all(|cycles| cycles.is_sorted_by(|a, b| a >= b)));
         let (with, without) = (all.iter().filter(|cycles| !cycles.is_empty()).count(), all.len());
         assert!(with > 10 && with < without / 2, "{with} of {without}");

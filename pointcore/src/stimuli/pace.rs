@@ -1,6 +1,6 @@
 //! How the streams around a core are held back: by chance, in bursts, or each in its turn for a long time.
 
-use super::configuration::one_of;
+use super::one_of;
 use fastrand::Rng;
 use pointcore_tb::lockstep::{Stall, Stalls};
 
@@ -25,6 +25,8 @@ pub struct Turns {
 pub struct Paces {
     streams: Vec<Stalls>,
     turns: Option<Turns>,
+    /// A stream that does not move in the first cycles.
+    first: Option<(usize, u64)>,
 }
 
 impl Turns {
@@ -52,27 +54,50 @@ impl Paces {
             _ => Stall::Bursts(BURST_CYCLES),
         };
         let patterns: Vec<_> = (0..streams).map(|_| pattern()).collect();
-        Self { streams: patterns.into_iter().map(|pattern| Stalls::new(pattern, random.fork())).collect(), turns }
+        let streams = patterns.into_iter().map(|pattern| Stalls::new(pattern, random.fork())).collect();
+        Self { streams, turns, first: None }
     }
 
     /// So many streams that move whenever it is nobody's turn to be held.
     #[must_use]
     pub fn in_turns(streams: usize, turns: Option<Turns>) -> Self {
         let free = || Stalls::new(Stall::Never, Rng::with_seed(0));
-        Self { streams: (0..streams).map(|_| free()).collect(), turns }
+        Self { streams: (0..streams).map(|_| free()).collect(), turns, first: None }
+    }
+
+    /// So many streams, each with the same pattern of its own.
+    #[must_use]
+    pub fn alike(streams: usize, pattern: Stall, random: &mut Rng) -> Self {
+        let streams = (0..streams).map(|_| Stalls::new(pattern, random.fork())).collect();
+        Self { streams, turns: None, first: None }
+    }
+
+    /// The same, but one stream hardly moves.
+    #[must_use]
+    pub fn hardly(mut self, stream: usize, random: &mut Rng) -> Self {
+        self.streams[stream] = Stalls::new(Stall::Random(HARDLY), random.fork());
+        self
+    }
+
+    /// The same, but one stream does not move in the first cycles.
+    #[must_use]
+    pub const fn after(mut self, stream: usize, cycles: u64) -> Self {
+        self.first = Some((stream, cycles));
+        self
     }
 
     /// Whether a stream is idle in this cycle; asked once a cycle and stream.
     pub fn idle(&mut self, stream: usize, cycle: u64) -> bool {
         let streams = self.streams.len() as u64;
         let is_held = self.turns.is_some_and(|turns| turns.hold(stream as u64, streams, cycle));
-        self.streams[stream].stalled() | is_held
+        let is_first = self.first.is_some_and(|(first, cycles)| first == stream && cycle < cycles);
+        self.streams[stream].stalled() | is_held | is_first
     }
 
     /// Cycles that a stream is idle at most.
     #[must_use]
     pub fn longest(&self) -> u64 {
-        LONGEST_CHANCE + self.turns.map_or(0, |turns| turns.held)
+        LONGEST_CHANCE + self.turns.map_or(0, |turns| turns.held) + self.first.map_or(0, |(_, cycles)| cycles)
     }
 }
 

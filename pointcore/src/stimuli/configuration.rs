@@ -1,6 +1,7 @@
 //! Random configurations of both cores: all that validation allows can come, small ones most often, as the compiler
 //! takes long for large ones.
 
+use super::one_of;
 use fastrand::Rng;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
@@ -15,11 +16,6 @@ const SAMPLES_MAX: u32 = 1 << 14;
 const HEAP_LEVELS: RangeInclusive<u32> = 2..=8;
 /// Registers of all priority queues together, beyond which a core takes minutes to compile.
 const RANKS_MAX: u32 = 512;
-
-/// One of the values.
-pub(super) fn one_of<T: Copy>(random: &mut Rng, values: &[T]) -> T {
-    values[random.usize(..values.len())]
-}
 
 /// A number of the usual range, now and then of the whole one.
 fn mostly(random: &mut Rng, usual: RangeInclusive<u32>, whole: RangeInclusive<u32>) -> u32 {

@@ -1,14 +1,11 @@
-//! Random frames for a renderer of any configuration: scenes of discs, heaps of small splats on a few tiles, the hard
-//! cases of the stability campaign, and empty frames.
+//! Random frames for a renderer of any configuration: scenes of discs, heaps of small splats on a few tiles, hard cases
+//! that whoever asks brings along, and empty frames.
 
-use super::configuration::one_of;
-use crate::stability::families::{LEVELS, case};
-use crate::stability::family::Family;
-use crate::stability::frames::uniforms;
+use super::one_of;
+use crate::number::{encode, encode_attribute, encode_uniform};
+use crate::splat::END;
 use fastrand::Rng;
 use glam::Vec3;
-use pointcore::number::{encode, encode_attribute, encode_uniform};
-use pointcore::splat::END;
 use pointcore_contract::splat::records::{Attributes, EpsilonScale, ModelView, Splat, Uniforms, Viewport};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use pointcore_contract::words;
@@ -16,12 +13,43 @@ use std::f32::consts::TAU;
 
 /// Numbers that are none, or hardly.
 const ODD: [f32; 10] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, f32::MIN, 1e-40, -1e-20, 1e20];
-/// Splats of a frame.
-const SPLATS: u32 = 120;
 /// Samples that a frame's splats cover together, roughly: what a frame takes in cycles.
 const COVERED_SAMPLES: u32 = 100_000;
 /// The camera stands so far before the middle of the scene.
 const DISTANCE: f32 = 4.0;
+
+/// How far splats about one place are from it: within a tile, and on several.
+const NARROW: f32 = 0.02;
+const WIDE: f32 = 0.2;
+/// The binary logarithm of the radius of a small one.
+const SMALL: f32 = -5.0;
+
+/// Splats that are made to be hard, and the camera before which they are.
+#[derive(Clone, Copy, Debug)]
+pub struct HardCases {
+    /// A case at random.
+    pub splat: fn(&Config, &mut Rng) -> Splat,
+    /// The uniforms of the camera.
+    pub uniforms: fn(&Config) -> Uniforms,
+}
+
+/// How a camera maps what it sees to the image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Pixels of a unit at distance 1.
+    pub scale: [f32; 2],
+    /// The pixel on the camera's axis.
+    pub origin: [f32; 2],
+}
+
+impl Lens {
+    /// What it sees fills the image.
+    #[must_use]
+    pub fn whole(config: &Config) -> Self {
+        let size = [config.width, config.height].map(|edge| edge as f32);
+        Self { scale: size.map(|edge| 0.9 * edge), origin: size.map(|edge| edge / 2.0) }
+    }
+}
 
 /// A frame as the host sends it.
 #[derive(Clone, Debug)]
@@ -35,57 +63,87 @@ pub struct Frame {
 }
 
 /// What a frame shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 enum Content {
     /// Discs of all sizes anywhere around the view.
     Scene,
     /// Small discs about one place, few elsewhere: samples of the same pixels follow one another, and copies for other
     /// tiles wait in the heap for long.
     Heap(Place),
-    /// Hard cases of all families, before their own camera.
-    Hard,
+    /// Hard cases before their own camera.
+    Hard(HardCases),
     /// Nothing.
     Empty,
 }
 
-/// Where most discs of a frame are.
+/// Where most discs of a frame are, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Place {
-    center: Vec3,
-    /// How far from there.
-    spread: f32,
+pub struct Place {
+    /// Their middle; the camera looks at the origin.
+    pub center: Vec3,
+    /// How far they are from there at most, in each direction.
+    pub spread: f32,
+    /// The binary logarithm of their radius, on average; most differ from it by up to one.
+    pub log2_radius: f32,
 }
 
 impl Place {
     fn random(random: &mut Rng) -> Self {
         let mut signed = || 2.0 * random.f32() - 1.0;
         let center = Vec3::new(signed(), signed(), 0.0);
-        Self { center, spread: one_of(random, &[0.02, 0.2]) }
+        Self { center, spread: one_of(random, &[NARROW, WIDE]), log2_radius: SMALL }
     }
 }
 
-/// Frames that follow one another, some under the uniforms of the one before.
+/// Frames that follow one another, some under the uniforms of the one before, of so many splats at most.
 #[must_use]
-pub fn frames(config: &Config, count: usize, random: &mut Rng) -> Vec<Frame> {
+pub fn frames(
+    config: &Config,
+    count: usize,
+    most_splats: u32,
+    lens: Lens,
+    hard: Option<HardCases>,
+    random: &mut Rng,
+) -> Vec<Frame> {
     let mut frames = Vec::<Frame>::new();
     for _ in 0..count {
         let heap = Content::Heap(Place::random(random));
         let content = one_of(
             random,
-            &[Content::Scene, Content::Scene, Content::Scene, heap, heap, Content::Hard, Content::Empty],
+            &[
+                Content::Scene,
+                Content::Scene,
+                Content::Scene,
+                heap,
+                heap,
+                hard.map_or(heap, Content::Hard),
+                Content::Empty,
+            ],
         );
         let kept = frames.last().filter(|_| random.bool()).map(|frame| frame.uniforms.clone());
         let is_new_view = kept.is_none();
-        let uniforms = kept.unwrap_or_else(|| view(config, content, random));
-        frames.push(Frame { uniforms, is_new_view, records: records(config, content, random) });
+        let uniforms = kept.unwrap_or_else(|| view(config, content, lens, random));
+        frames.push(Frame { uniforms, is_new_view, records: records(config, content, most_splats, random) });
     }
     frames
 }
 
+/// A frame of so many splats about a place, none of them odd: one that is may cover the image, and hide what others do.
+#[must_use]
+pub fn about(place: Place, config: &Config, splats: u32, lens: Lens, random: &mut Rng) -> Frame {
+    let content = Content::Heap(place);
+    let mut records: Vec<_> = (0..splats).map(|_| disc(config, content, random)).collect();
+    records.push(END);
+    Frame { uniforms: words(config, camera(config, lens, random)), is_new_view: true, records }
+}
+
 /// The words of uniform registers, one of them odd now and then.
-fn view(config: &Config, content: Content, random: &mut Rng) -> Vec<u64> {
+fn view(config: &Config, content: Content, lens: Lens, random: &mut Rng) -> Vec<u64> {
     let number = |number| encode(config.geometry, number);
-    let uniforms = if content == Content::Hard { uniforms(config) } else { camera(config, random) };
+    let uniforms = match content {
+        Content::Hard(cases) => (cases.uniforms)(config),
+        _ => camera(config, lens, random),
+    };
     let scale = one_of(random, &[1.0, 1.0, 0.7, 4.0]);
     let filter_scale = encode_uniform(config.filter_scale_format(), scale);
     let filter_radius = number(f32::sqrt(1.0 / scale));
@@ -99,17 +157,16 @@ fn view(config: &Config, content: Content, random: &mut Rng) -> Vec<u64> {
 }
 
 /// A camera that looks at the origin from somewhere.
-fn camera(config: &Config, random: &mut Rng) -> Uniforms {
+fn camera(config: &Config, lens: Lens, random: &mut Rng) -> Uniforms {
     let number = |number| encode(config.geometry, number);
     let (sin, cos) = (TAU * random.f32()).sin_cos();
     let mut offset = || random.f32() - 0.5;
     let rows = [[cos, 0.0, -sin, offset()], [0.0, 1.0, 0.0, offset()], [sin, 0.0, cos, DISTANCE + offset()]];
-    let (width, height) = (config.width as f32, config.height as f32);
     Uniforms {
         model_view: ModelView { rows: rows.map(|row| row.map(number)) },
         viewport: Viewport {
-            scale: [0.9 * width, 0.9 * height].map(number),
-            origin: [width / 2.0, height / 2.0].map(number),
+            scale: lens.scale.map(number),
+            origin: lens.origin.map(number),
             depth_a: number(10.0 / 9.0),
             depth_b: number(-10.0 / 9.0),
         },
@@ -120,11 +177,11 @@ fn camera(config: &Config, random: &mut Rng) -> Uniforms {
     }
 }
 
-fn records(config: &Config, content: Content, random: &mut Rng) -> Vec<Splat> {
+fn records(config: &Config, content: Content, most_splats: u32, random: &mut Rng) -> Vec<Splat> {
     // A large splat covers the whole image.
     let affordable = 8 * COVERED_SAMPLES / (config.width * config.height);
-    let most = if matches!(content, Content::Heap(_)) { 4 * SPLATS } else { SPLATS.min(affordable.max(8)) };
-    let count = if content == Content::Empty { 0 } else { random.u32(1..=most) };
+    let most = if matches!(content, Content::Heap(_)) { 4 * most_splats } else { most_splats.min(affordable.max(8)) };
+    let count = if matches!(content, Content::Empty) { 0 } else { random.u32(1..=most) };
     let mut records: Vec<_> = (0..count).map(|_| splat(config, content, random)).collect();
     records.push(END);
     records
@@ -132,13 +189,9 @@ fn records(config: &Config, content: Content, random: &mut Rng) -> Vec<Splat> {
 
 fn splat(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let mut splat = match content {
-        Content::Hard => {
-            let (family, level) = (one_of(random, &Family::ALL), random.u8(..LEVELS));
-            case(family, level, config.geometry, random.u64(..)).splat
-        }
+        Content::Hard(cases) => Splat { attributes: attributes(config, random), ..(cases.splat)(config, random) },
         _ => disc(config, content, random),
     };
-    splat.attributes = attributes(config, random);
     if random.u8(..32) == 0 {
         let [first, second] = &mut splat.tangents;
         let vector = [&mut splat.center, first, second][random.usize(..3)].as_mut();
@@ -157,7 +210,7 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let is_elsewhere = random.u8(..32) == 0;
     let mut signed = || 2.0 * random.f32() - 1.0;
     let center = match content {
-        Content::Heap(Place { center, spread }) if !is_elsewhere => {
+        Content::Heap(Place { center, spread, .. }) if !is_elsewhere => {
             center + Vec3::new(signed(), signed(), signed()) * spread
         }
         _ => Vec3::new(4.0 * signed(), 4.0 * signed(), 4.5 * signed()),
@@ -165,12 +218,15 @@ fn disc(config: &Config, content: Content, random: &mut Rng) -> Splat {
     let [a, b] = [(); 2].map(|()| Vec3::new(signed(), signed(), signed()));
     let normal = a.try_normalize().unwrap_or(Vec3::Z);
     let first = normal.cross(b).try_normalize().unwrap_or(normal.any_orthonormal_vector());
-    let exponent = if matches!(content, Content::Heap(_)) { signed() - 5.0 } else { 3.5 * signed() - 2.5 };
+    let exponent = match content {
+        Content::Heap(Place { log2_radius, .. }) => signed() + log2_radius,
+        _ => 3.5 * signed() - 2.5,
+    };
     let radius = exponent.exp2();
     let shorter = if random.u8(..8) == 0 { random.f32() } else { 1.0 };
     let vector = |vector: Vec3| vector.to_array().map(|number| encode(config.geometry, number));
     let tangents = [first * radius, normal.cross(first) * (radius * shorter)].map(vector);
-    Splat { end: false, center: vector(center), tangents, attributes: Attributes::default() }
+    Splat { end: false, center: vector(center), tangents, attributes: attributes(config, random) }
 }
 
 /// Attributes of both kinds, now and then any bits or an odd number.
@@ -194,7 +250,7 @@ fn attributes(config: &Config, random: &mut Rng) -> Attributes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::soak::configuration::renderer;
+    use crate::stimuli::configuration::renderer;
 
     #[test]
     fn every_frame_ends_and_fits_its_configuration() {
@@ -202,7 +258,7 @@ mod tests {
         for seed in 0..200 {
             let random = &mut Rng::with_seed(seed);
             let config = renderer(random);
-            for frame in frames(&config, 3, random) {
+            for frame in frames(&config, 3, 120, Lens::whole(&config), None, random) {
                 let ends: Vec<_> = frame.records.iter().map(|record| record.end).collect();
                 assert_eq!(ends.iter().position(|end| *end), Some(ends.len() - 1));
                 let width = config.attribute.width();
