@@ -9,26 +9,13 @@ use rtl::StreamDeclaration;
 pub struct Recording {
     ports: Vec<Port>,
     rows: Vec<Vec<u64>>,
-    settling_cycles: u64,
 }
 
 impl Recording {
     /// An empty recording at these ports.
     #[must_use]
     pub fn new(ports: Vec<Port>) -> Self {
-        Self { ports, rows: Vec::new(), settling_cycles: 0 }
-    }
-
-    /// A recording that begins so many idle cycles after the reset.
-    #[must_use]
-    pub fn after(self, settling_cycles: u64) -> Self {
-        Self { settling_cycles, ..self }
-    }
-
-    /// Idle cycles between the reset and the first that is recorded.
-    #[must_use]
-    pub const fn settling_cycles(&self) -> u64 {
-        self.settling_cycles
+        Self { ports, rows: Vec::new() }
     }
 
     /// Adds a cycle: the inputs and the outputs, each in the order of the ports.
@@ -84,8 +71,8 @@ impl Recording {
         [Group { members: others, flag: None }].into_iter().chain(fields).collect()
     }
 
-    /// The recording as a sequence of bits: in every cycle a bit for each group, whether it changes, then the new words of
-    /// those that do, lowest bits first. A group that does not count keeps its words.
+    /// The recording as a sequence of bits: in every cycle a bit, whether anything changes, and if so a bit for each group,
+    /// whether it does, then the new words of those that do, lowest bits first. A group that does not count keeps its words.
     #[must_use]
     pub fn encode(&self, groups: &[Group]) -> BitSequence {
         let mut sequence = BitSequence::default();
@@ -95,6 +82,11 @@ impl Recording {
                 let counts = group.flag.is_none_or(|flag| row[flag] != 0);
                 counts && group.members.iter().any(|&port| row[port] != shown[port])
             };
+            let is_change = groups.iter().any(|group| changes(&group));
+            sequence.push(u64::from(is_change), 1);
+            if !is_change {
+                continue;
+            }
             groups.iter().for_each(|group| sequence.push(u64::from(changes(&group)), 1));
             let changed: Vec<_> = groups.iter().filter(changes).flat_map(|group| &group.members).copied().collect();
             for port in changed {
@@ -170,7 +162,7 @@ mod tests {
         let groups = recording.groups(&[stream]);
         assert_eq!(groups, [Group { members: vec![0, 2], flag: None }, Group { members: vec![1], flag: Some(0) }]);
         // Both, `in_valid` and `in_ready`, `in_data`; the first alone; none.
-        let bits = ["11", "11", "1010101", "10", "01", "00"].concat();
+        let bits = ["1", "11", "11", "1010101", "1", "10", "01", "0"].concat();
         let value = u64::from_str_radix(&bits.chars().rev().collect::<String>(), 2);
         assert_eq!(recording.encode(&groups).hexadecimal(), format!("{:016x}\n", value.unwrap_or_default()));
     }

@@ -98,7 +98,7 @@ impl Package {
         let bus = Bus::splat(config)?;
         package.add_bus(&bus, &Interface::splat(config));
         package.add_pins(&Configuration::Splat(config.clone()))?;
-        package.add_test(&core.design, &splat::record(config, core)?);
+        package.add_test(&core.design, &splat::record(config, core));
         package.add_axi_test(&bus, axi_test::of_splat(&bus.design, core, config)?);
         Ok(package)
     }

@@ -44,7 +44,8 @@ fn connections(design: &Design, recording: &Recording) -> String {
     let line = |port: &Port| {
         let name = &port.name;
         match (name.as_str(), port.direction, Place::of(recording, name)) {
-            ("clk" | "rst", ..) => format!("        .{name}({name})"),
+            ("clk", ..) => format!("        .{name}({name})"),
+            ("rst", _, Some(place)) => format!("        .{name}({name} || vector{})", place.range()),
             (_, Direction::Input, Some(place)) => match flag_of(design, recording, name) {
                 None => format!("        .{name}(vector{})", place.range()),
                 Some(flag) => {
@@ -118,7 +119,8 @@ pub fn files(name: &str, vectors: &str, design: &Design, recording: &Recording) 
 // cycle; a stream's fields count while it is valid, and those that go in are spoilt while it is not. For Verilator, whose registers start at
 // random values: in a simulator with unknown values, what is not reset stays unknown longer than in hardware.
 //
-// {vectors} is a sequence of bits: in every cycle one for each group of ports, whether it changes, then the words of those that do.
+// {vectors} is a sequence of bits: in every cycle one, whether anything changes, and if so one for each group of ports, whether it does,
+// then the words of those that do.
 
 module {name};
     reg clk = 1'b0;
@@ -127,6 +129,7 @@ module {name};
     reg [{high}:0] vector = 0;
     reg [{high}:0] next = 0;
     wire [{high}:0] found;
+    reg changes;
     reg [{group_high}:0] changed;
     integer place = 0;
     integer i;
@@ -139,19 +142,25 @@ module {name};
 
     always #5 clk = !clk;
 
-    // The next bits of the recording become bits of the next vector.
-    task take(input integer low, input integer width);
-        for (i = low; i < low + width; i = i + 1) begin
-            next[i] = words[place / {word_bits}][place % {word_bits}];
+    // The next bit of the recording.
+    task take_bit(output result);
+        begin
+            result = words[place / {word_bits}][place % {word_bits}];
             place = place + 1;
         end
     endtask
 
+    // The next bits of the recording become bits of the next vector.
+    task take(input integer low, input integer width);
+        for (i = low; i < low + width; i = i + 1) take_bit(next[i]);
+    endtask
+
     task advance;
         begin
+            take_bit(changes);
             for (i = 0; i <= {group_high}; i = i + 1) begin
-                changed[i] = words[place / {word_bits}][place % {word_bits}];
-                place = place + 1;
+                if (changes) take_bit(changed[i]);
+                else changed[i] = 1'b0;
             end
 {changes}            vector = next;
         end
@@ -168,7 +177,6 @@ module {name};
         $readmemh("{vectors}", words);
         repeat ({RESET_CYCLES}) @(negedge clk);
         rst = 1'b0;
-        repeat ({settling}) @(negedge clk);
         for (cycle = 0; cycle < {cycles} && differences == 0; cycle = cycle + 1) begin
             advance;
             #4;
@@ -184,7 +192,6 @@ endmodule
         word_high = BitSequence::WORD_BITS - 1,
         group_high = groups.len() - 1,
         changes = changes(recording, &groups),
-        settling = recording.settling_cycles(),
         last = sequence.lines() - 1,
         connections = connections(design, recording),
         comparisons = comparisons(design, recording),

@@ -21,7 +21,6 @@ mod reuse;
 mod rounding;
 mod run;
 pub mod samples;
-mod scattered;
 mod session;
 mod work;
 

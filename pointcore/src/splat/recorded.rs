@@ -1,111 +1,124 @@
-//! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
+//! Beginnings of small frames, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::encode::{END, EncodedFrame};
 use super::generate::SplatCore;
-use super::run::SplatRunner;
-use crate::number::{encode, encode_attribute};
 use crate::recording::Recording;
-use crate::uniforms::uniforms;
+use crate::stimuli::frames::{Lens, Place, about};
+use crate::stimuli::pace::Paces;
+use crate::stimuli::renderer::{DATA, READ, Renderer, STREAMS, Script, WRITE};
 use fastrand::Rng;
-use glam::{DMat3, DVec3, EulerRot};
-use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Attributes, Splat};
-use pointcore_contract::{Camera, Rendering};
-use pointcore_tb::lockstep::{LockstepError, Stall};
+use glam::Vec3;
+use pointcore_contract::count;
+use pointcore_contract::splat::{Config, units};
+use pointcore_golden::splat::Top;
+use pointcore_golden::unit::{Ported, Unit};
+use pointcore_tb::lockstep::{Flow, Stall, Stimulus};
 
-/// Splats of the frame.
-const SPLATS: usize = 40;
-/// Cycles of the recording: the whole frame would take hundreds of times as many.
-const CYCLES: u64 = 12_000;
-/// Pixel that the camera's axis meets: near the first tile, for tiles leave the core in their order.
-const CENTER_PX: f64 = 16.0;
+/// Runs of ordinary frames, each with what is in it: paces of streams, and discs that overlap more, or less.
+const RUNS: [(Stall, Place, u32); 4] = [
+    (Stall::Random(0.2), place(0.2, -4.0), 40),
+    (Stall::Varied, place(0.5, -3.0), 20),
+    (Stall::Varied, place(0.1, -5.0), 60),
+    (Stall::Random(0.4), place(0.8, -3.0), 20),
+];
+/// Streams that hardly move in a run, in which a few large discs cover tiles.
+const HELD: [usize; 3] = [DATA, READ, WRITE];
+const LARGE: Place = place(0.4, -2.0);
+const LARGE_SPLATS: u32 = 40;
+/// Cycles of a run: the whole of a large image would take hundreds of times as many.
+const RUN_CYCLES: u64 = 5000;
+/// Small discs that overlap, on a few tiles, for the run that fills the heap.
+const SMALL: Place = place(0.05, -4.5);
+/// The scene is near the first tile, for tiles leave the core in their order.
+const LENS: Lens = Lens { scale: [240.0, 260.0], origin: [28.0, 26.0] };
+/// Cycles in which a copy that another one follows leaves the heap again.
+const COPY_CYCLES: u64 = 16;
+/// Cycles of the reset before a run.
+const RESET_CYCLES: u64 = 2;
 /// Cycles beyond one a tile until the core has cleared its directory of tiles.
 const SETTLING_CYCLES: u64 = 8;
-/// Where the splats lie in front of the camera, and the largest half of their size, in pixels; the near plane cuts some off.
-const NEAR: f32 = 1.0;
-const DEPTHS: [f32; 2] = [0.9, 9.0];
-const SPREAD_PX: [f32; 2] = [120.0, 20.0];
-const LARGEST_PX: f32 = 12.0;
-/// Chance that the memory or the host waits in a cycle.
-const STALLS: Stall = Stall::Random(0.2);
-/// The seed of splats.
-const SEED: u64 = 1;
+/// Streams are held for as long as one likes: nothing is stuck that does not come to its end anyway.
+const QUIET_CYCLES: u64 = 1_000_000;
 
-/// A rotation without a zero in it, and where it takes the origin: no product of the projection is trivial.
-fn view() -> (DMat3, DVec3) {
-    (DMat3::from_euler(EulerRot::XYZ, 0.7, -0.4, 2.1), DVec3::new(0.31, -0.22, 1.43))
+/// Discs about what the camera looks at.
+const fn place(spread: f32, log2_radius: f32) -> Place {
+    Place { center: Vec3::ZERO, spread, log2_radius }
 }
 
-/// A camera whose view is one unit high at distance 1.
-fn camera(config: &Config) -> Camera {
-    let height = f64::from(config.height);
-    let (near, far) = (f64::from(NEAR), 10.0);
-    let depth_a = far / (far - near);
-    let (rotation, translation) = view();
-    let row = |index: usize| {
-        let row = rotation.row(index);
-        [row.x, row.y, row.z, translation[index]]
-    };
-    Camera {
-        model_view: [row(0), row(1), row(2)],
-        scale_x: height,
-        scale_y: height,
-        center_x: CENTER_PX,
-        center_y: CENTER_PX,
-        depth_a,
-        depth_b: -near * depth_a,
-        near,
+/// Records frames on the hardware of a configuration.
+#[must_use]
+pub fn record(config: &Config, core: &SplatCore) -> Recording {
+    let mut recorder = Recorder::new(config, core);
+    for (seed, (pattern, place, splats)) in (0..).zip(RUNS) {
+        let random = &mut Rng::with_seed(seed);
+        let frames = [splats, splats / 4].map(|splats| about(place, config, splats, LENS, random)).into();
+        let paces = Paces::alike(STREAMS, pattern, random);
+        recorder.run(Script { frames, paces, latency: 1 + seed, resets: vec![] }, RUN_CYCLES);
     }
-}
-
-fn rendering(config: &Config) -> Rendering {
-    Rendering {
-        width: config.width as usize,
-        height: config.height as usize,
-        sampling: config.sampling,
-        depth: config.depth,
-        kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
-        filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
-        epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
-        epsilon_bias: 1e-3,
+    for stream in HELD {
+        recorder.hold(stream);
     }
+    recorder.fill_the_heap();
+    recorder.recording
 }
 
-/// A splat around the upper rim of the image, of any orientation.
-fn splat(config: &Config, random: &mut Rng) -> Splat {
-    let (rotation, translation) = view();
-    let world = |vector: DVec3| (rotation.transpose() * vector).as_vec3().to_array();
-    let vector = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
-    let signed = |random: &mut Rng| f64::from(2.0 * random.f32() - 1.0);
-    let depth = f64::from(DEPTHS[0] + (DEPTHS[1] - DEPTHS[0]) * random.f32());
-    let px = depth / f64::from(config.height);
-    let [x, y] = SPREAD_PX.map(|spread| f64::from(spread) * signed(random) * px);
-    let mut tangent = || DVec3::from([(); 3].map(|()| signed(random))) * (f64::from(LARGEST_PX) * px);
-    let tangents = [tangent(), tangent()].map(|tangent| vector(world(tangent)));
-    let center = vector(world(DVec3::new(x, y, depth) - translation));
-    let mut attributes = Attributes::default();
-    let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
-    continuous.fill_with(|| encode_attribute(config.attribute, 2.0 * random.f32() - 1.0));
-    cardinals[..config.cardinal as usize].fill_with(|| random.u32(..));
-    Splat { end: false, center, tangents, attributes }
+/// The golden model, run after run.
+struct Recorder<'a> {
+    config: &'a Config,
+    golden: Ported<Top>,
+    inputs: Vec<u64>,
+    outputs: Vec<u64>,
+    recording: Recording,
 }
 
-fn frame(config: &Config) -> EncodedFrame {
-    let mut random = Rng::with_seed(SEED);
-    let splats = (0..SPLATS).map(|_| splat(config, &mut random));
-    EncodedFrame {
-        records: splats.chain([END]).collect(),
-        uniforms: uniforms(&camera(config), &rendering(config), config),
+impl<'a> Recorder<'a> {
+    fn new(config: &'a Config, core: &SplatCore) -> Self {
+        let list = units::top::UNIT.ports(config);
+        let (inputs, outputs) = count(&list);
+        let golden = Ported::new(config, Top::new(config, &core.latencies()));
+        let (inputs, outputs) = (vec![0; inputs], vec![0; outputs]);
+        Self { config, golden, inputs, outputs, recording: Recording::new(list) }
     }
-}
 
-/// Records the beginning of a frame on the hardware of a configuration.
-///
-/// # Errors
-/// The frame does not come to its end.
-pub fn record(config: &Config, core: &SplatCore) -> Result<Recording, LockstepError> {
-    let frame = frame(config);
-    let stop_after = Some(CYCLES);
-    let runner = SplatRunner { config, frame: &frame, stall: STALLS, seed: SEED, progress: &|_, _| {}, stop_after };
-    runner.recording(core, (1 << config.tile_bits()) + SETTLING_CYCLES)
+    fn step(&mut self) {
+        self.golden.step(&self.inputs, &mut self.outputs);
+        self.recording.push(&self.inputs, &self.outputs);
+    }
+
+    /// A run from its reset on, for so many cycles at most.
+    fn run(&mut self, script: Script, cycles: u64) {
+        self.inputs.fill(0);
+        for cycle in 0..RESET_CYCLES + (1 << self.config.tile_bits()) + SETTLING_CYCLES {
+            // The reset comes first.
+            self.inputs[0] = u64::from(cycle < RESET_CYCLES);
+            self.step();
+        }
+        let mut host = Renderer::new(self.config, script, None, QUIET_CYCLES);
+        for cycle in 0..cycles {
+            if host.drive(cycle, &self.outputs, &mut self.inputs) == Flow::Done {
+                break;
+            }
+            self.step();
+        }
+    }
+
+    /// Splats on a few tiles, more than there are slots, while a stream of the memory hardly moves: samples wait for
+    /// their tiles, and what is before them for room.
+    fn hold(&mut self, stream: usize) {
+        let random = &mut Rng::with_seed(stream as u64);
+        let frames = vec![about(LARGE, self.config, LARGE_SPLATS, LENS, random)];
+        let paces = Paces::in_turns(STREAMS, None).hardly(stream, random);
+        self.run(Script { frames, paces, latency: 1, resets: vec![] }, RUN_CYCLES);
+    }
+
+    /// More copies than the heap holds, while memory takes nothing: tiles cannot go, and copies have to wait.
+    fn fill_the_heap(&mut self) {
+        let config = self.config;
+        let random = &mut Rng::with_seed(0);
+        let splats = config.heap_capacity() * 5 / 4;
+        let interval = u64::from(config.setup_interval.max(config.transform_interval).max(config.heap_interval));
+        let held = u64::from(splats) * interval;
+        let paces = Paces::in_turns(STREAMS, None).after(WRITE, held);
+        let frames = vec![about(SMALL, config, splats, LENS, random)];
+        self.run(Script { frames, paces, latency: 1, resets: vec![] }, held + u64::from(splats) * COPY_CYCLES);
+    }
 }

@@ -6,7 +6,6 @@ use super::generate::SplatCore;
 use super::host::{SplatCounters, SplatHost};
 use super::mask::{end_records, outputs};
 use crate::generated::Progress;
-use crate::recording::Recording;
 use crate::waveform::Waveform;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
@@ -104,27 +103,6 @@ impl<'a> SplatRunner<'a> {
             step += 1;
             model.step(inputs, outputs)
         })
-    }
-
-    /// What the golden model's ports carry in every cycle, after it has idled for so many.
-    ///
-    /// # Errors
-    /// The frame does not come to its end.
-    pub fn recording(&self, core: &SplatCore, settling_cycles: u64) -> Result<Recording, LockstepError> {
-        let list = top::UNIT.ports(self.config);
-        let (inputs, outputs) = count(&list);
-        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-        let mut recording = Recording::new(list).after(settling_cycles);
-        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
-        (0..settling_cycles).for_each(|_| golden.step(&inputs, &mut outputs));
-        self.alone(|seen| {
-            // The reset comes first.
-            write(self.config, *seen, &mut inputs[1..]);
-            golden.step(&inputs, &mut outputs);
-            recording.push(&inputs, &outputs);
-            Ok(read(self.config, &outputs))
-        })?;
-        Ok(recording)
     }
 
     /// The inputs of the run's first cycles, one row of words a cycle, as [`VerilatedModel::run_bare`](pointcore_tb::verilated::VerilatedModel::run_bare)
