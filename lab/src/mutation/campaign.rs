@@ -79,6 +79,8 @@ pub struct Subject {
     pub verilog: String,
     /// Other modules of the design.
     pub others: String,
+    /// The one of them that the top joins with the buses, and that is not mutated.
+    pub core: Option<String>,
     /// Its top module.
     pub top: String,
     /// The tests.

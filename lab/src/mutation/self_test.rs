@@ -56,10 +56,9 @@ impl<'a> SelfTest<'a> {
         let work = scratch.path();
         let verilog = read_text(&folder.join(format!("{module}.v")))?;
         // A top on AXI has the core beside it, which is tried by its own test.
-        let mut others = String::new();
-        if let Some(core) = module.strip_suffix("_axi") {
-            others = read_text(&folder.join(format!("{core}_top.v")))?;
-        }
+        let core = module.strip_suffix("_axi").map(|core| format!("{core}_top"));
+        let others = core.as_ref().map(|core| read_text(&folder.join(format!("{core}.v")))).transpose()?;
+        let others = others.unwrap_or_default();
         let copy = |file_name: String| {
             let source = folder.join(file_name);
             fs::copy(&source, work.join(source.file_name().unwrap_or_default())).map_err(file("copy", &source))
@@ -70,7 +69,7 @@ impl<'a> SelfTest<'a> {
         fs::write(&others_path, &others).map_err(file("write", &others_path))?;
         let mutated = work.join("mutated-design.v");
         let subject =
-            Subject { verilog, others, top: module.to_owned(), tests: vec![test.to_owned()], substitute: mutated };
+            Subject { verilog, others, core, top: module.clone(), tests: vec![test.clone()], substitute: mutated };
         let run = |_: &[String], number: u32, limit: Duration| {
             let program = work.join("obj_dir").join(format!("V{test}"));
             if !program.exists() {

@@ -98,7 +98,7 @@ impl Suite {
             let path = folder.join(format!("{digest}.{}", substitute::ORIGINAL));
             let verilog = fs::read_to_string(&path).map_err(file("read", &path))?;
             let (tests, substitute) = (tests.into_iter().collect(), folder.join(digest + ".v"));
-            Ok(Subject { verilog, others: String::new(), top, tests, substitute })
+            Ok(Subject { verilog, others: String::new(), core: None, top, tests, substitute })
         };
         builders.into_iter().map(subject).collect()
     }
