@@ -2,8 +2,9 @@
 
 use super::Proof;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_hdl::splat::{heap, reorder, tile_cache};
+use pointcore_hdl::splat::{accumulator, heap, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -40,6 +41,20 @@ fn reorders() -> [Proof; 2] {
     [reorder("splat_reorder"), Proof { flags: vec!["STALLED"], ..reorder("splat_reorder_stalled") }]
 }
 
+/// Two slots of two pixels, behind a queue of four samples.
+fn accumulator() -> Proof {
+    let config = Config {
+        width: EDGE,
+        height: EDGE,
+        tile_slots: 2,
+        continuous: 1,
+        attribute: AttributeFormat::Fixed(Fraction::Eight),
+        accumulate_stages: 5,
+        ..Config::default()
+    };
+    Proof::new("splat_accumulator", accumulator::sized(&config, 4, 2), &[])
+}
+
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter().chain(tile_caches()).chain(reorders())
+    heaps().into_iter().chain(tile_caches()).chain(reorders()).chain([accumulator()])
 }

@@ -8,7 +8,7 @@ mod blend;
 mod sample;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
+use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, index_bits};
 use pointcore_contract::splat::records::{Fill, PIXEL_BITS, Pixel, Slot, SlotPixel, WeightedSample};
 use pointcore_contract::splat::units::AccumulatorEvents;
 use pointcore_contract::splat::units::accumulator::PORTS;
@@ -113,8 +113,7 @@ impl Issue {
 }
 
 /// The queue of samples: two that move together, as what decides comes out of flip-flops and the rest out of block memory.
-fn queue(m: &mut Module, config: &Config, input: Flow<WeightedSample<Wires>>) -> Flow<Queued<Wires>> {
-    let depth = SAMPLE_QUEUE_DEPTH;
+fn queue(m: &mut Module, config: &Config, depth: u32, input: Flow<WeightedSample<Wires>>) -> Flow<Queued<Wires>> {
     let places = fifo_distributed(depth, &layout::<Place>(config));
     let (places, place) = Pushed::<Place>::place(m, config, "places", places);
     let samples = fifo(depth, &layout::<Contribution>(config));
@@ -148,24 +147,25 @@ struct Accesses {
 
 /// A memory for each slot, read and written by samples when it is ready and by the tile cache when it is not; returns
 /// the register behind each: what was read a cycle ago, or before the tile cache's last read.
-fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses) -> Vec<Expr> {
+fn slots(m: &mut Module, config: &Config, pixels: u32, ports: &SlotPorts, accesses: &Accesses) -> Vec<Expr> {
     let pixel_bits = width::<Pixel>(config);
+    let address = |pixel: Expr| pixel.trunc(index_bits(pixels));
     let SlotPorts { fill, drain, .. } = *ports;
     let Fill { place: filled, value } = fill.record;
     let value = value.pack(config);
     let mut slot = |number: u32| {
         let is = |slot: Expr| slot.eq_lit(number.into());
-        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), TILE_PIXELS, pixel_bits);
+        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), pixels, pixel_bits);
         let filling = m.wire(&format!("filling_{number}"), fill.valid & is(filled.slot));
         let write = filling | (accesses.write.valid & is(accesses.write.record.slot));
-        let address = filling.mux(filled.pixel, accesses.write.record.pixel);
-        m.write(memory, write, address, filling.mux(value, accesses.result));
+        let write_address = filling.mux(filled.pixel, accesses.write.record.pixel);
+        m.write(memory, write, address(write_address), filling.mux(value, accesses.result));
 
         let ready = ports.ready.bit(number);
         let read = accesses.read.valid & is(accesses.read.record.slot);
         let drained = drain.valid & is(drain.record.slot);
-        let address = ready.mux(accesses.read.record.pixel, drain.record.pixel);
-        let read = m.read_if(memory, &format!("slot_{number}_read"), ready.mux(read, drained), address);
+        let read_address = ready.mux(accesses.read.record.pixel, drain.record.pixel);
+        let read = m.read_if(memory, &format!("slot_{number}_read"), ready.mux(read, drained), address(read_address));
         held(m, &format!("slot_{number}_pixel"), ready | drained, read)
     };
     (0..config.tile_slots).map(&mut slot).collect()
@@ -174,11 +174,17 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
+    sized(config, SAMPLE_QUEUE_DEPTH, TILE_PIXELS)
+}
+
+/// The unit with a queue for fewer samples, and slots of the first pixels of a tile only, as its proof has it; both are powers of two.
+#[must_use]
+pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     let mut m = Module::new("splat_accumulator", "Blends samples into the pixels of the tile slots.");
     m.parameter("slots", config.tile_slots);
     m.parameter("stages", config.accumulate_stages);
     let input = PORTS.input.declare(&mut m, config);
-    let queued = queue(&mut m, config, input);
+    let queued = queue(&mut m, config, queue_depth, input);
     let ready = PORTS.slot_ready.declare_word(&mut m, config.tile_slots);
     let (retires, retired_slot) = (m.reg_reset("retire_valid", 1, 0), m.reg("retire_slot", config.slot_bits()));
     PORTS.retire.drive(&mut m, config, retires, Slot { slot: *retired_slot });
@@ -209,7 +215,7 @@ pub fn module(config: &Config) -> Module {
         write: Pulse { valid: *writes, record: SlotPixel { slot: *last_stage.slot, pixel: *last_stage.pixel } },
         result: *result,
     };
-    let read = slots(&mut m, config, &ports, &accesses);
+    let read = slots(&mut m, config, pixels, &ports, &accesses);
     let stored = m.reg("stored", pixel_bits);
     m.next(stored, stages[1].slot.pick(read.iter().copied()));
     let drained_slot = held(&mut m, "drained_slot", ports.drain.valid, ports.drain.record.slot);

@@ -1,0 +1,119 @@
+// splat_accumulator: a pixel is what its samples make of it, one after the other: none is lost, taken twice, or taken out of order.
+//
+// One pixel of two, in one slot of two, is watched. Samples are such that sums and depth test, which are in the proof as they are,
+// count them: one in front of all others begins again at one. Each has the weight and depth of one unit; the ends of its band are zero
+// and zero, or zero and the largest. What samples of other pixels, and fills of them, carry is the same.
+//
+// Assumed, with the words of docs/units/splat/accumulator.md and tile_cache.md:
+// - a copy's samples have one slot and come one after the other, the last one marked; an end comes between copies;
+// - a slot that still expects samples does not cease to be ready: those of all copies that came and have not retired;
+// - slots are filled and drained while they are not ready, one slot at a time, and no pixel is read while it is filled.
+module proof (input clk);
+    `include "sizes.vh"
+
+    reg rst = 1;
+    always @(posedge clk) rst <= 0;
+
+    (* anyseq *) reg in_valid, in_end, in_last, in_inside, in_slot, in_front, fill_valid, fill_slot, fill_any, drain_enable, drain_slot;
+    (* anyseq *) reg in_place, fill_place, drain_place;
+    wire [5:0] in_pixel = in_place, fill_pixel = fill_place, drain_pixel = drain_place;
+    (* anyseq *) reg [1:0] slot_ready;
+    wire [15:0] in_weight = 1;
+    wire [39:0] in_weighted_depth = 1;
+    wire [23:0] in_depth_low = 0, in_depth_high = in_front ? 0 : 24'hffffff, in_attribute_0 = 1;
+    wire [27:0] fill_weight = fill_any, drain_weight;
+    wire [51:0] fill_depth = fill_any, drain_depth;
+    wire [35:0] fill_attribute_0 = fill_any, drain_attribute_0;
+    wire in_ready, retire_valid, retire_slot, frame_end, event_accumulate, event_hazard, event_slot_wait;
+    `UNIT unit (.*);
+
+    (* anyconst *) reg slot;
+    (* anyconst *) reg pixel;
+
+    // Copies that came and have not retired, and whether one has begun.
+    wire comes = in_valid && in_ready;
+    reg begun = 0, begun_slot;
+    reg [2:0] pending [0:1];
+    reg [2:0] ends = 0;
+    wire begins = comes && !in_end && !begun;
+    initial {pending[0], pending[1]} = 6'd0;
+    always @(posedge clk) if (!rst) begin
+        if (comes && !in_end) {begun, begun_slot} <= {!in_last, in_slot};
+        pending[0] <= pending[0] + (begins && !in_slot) - (retire_valid && !retire_slot);
+        pending[1] <= pending[1] + (begins && in_slot) - (retire_valid && retire_slot);
+        ends <= ends + (comes && in_end) - frame_end;
+    end
+    reg [1:0] was_ready = 0;
+    always @(posedge clk) was_ready <= slot_ready & {2{!rst}};
+    always @* begin
+        assume (!rst || !(in_valid || fill_valid || drain_enable || slot_ready));
+        assume (!begun || (in_slot == begun_slot && !in_end));
+        assume (!(begins && &pending[in_slot]) && !(comes && in_end && &ends));
+        assume (!(was_ready[0] && !slot_ready[0]) || pending[0] == 0);
+        assume (!(was_ready[1] && !slot_ready[1]) || pending[1] == 0);
+        assume (!(fill_valid && slot_ready[fill_slot]) && !(drain_enable && slot_ready[drain_slot]));
+        assume (!(fill_valid && drain_enable && fill_slot == drain_slot && fill_pixel == drain_pixel));
+    end
+
+    // What the watched pixel must be: what it was filled with, and its samples; those that come before the fill follow it.
+    localparam COUNT_BITS = 5;
+    reg [COUNT_BITS-1:0] must, samples = 0;
+    reg front = 0;
+    wire is_sample = comes && !in_end && in_inside && in_slot == slot && in_pixel == pixel;
+    wire falls = was_ready[slot] && !slot_ready[slot];
+    wire fills = fill_valid && fill_slot == slot && fill_pixel == pixel;
+    reg filled_value;
+    wire [COUNT_BITS-1:0] now = samples + (front ? 0 : filled_value);
+    always @(posedge clk) if (!rst) begin
+        if (falls) begin
+            must <= now;
+            samples <= is_sample;
+            front <= is_sample && in_front;
+        end else if (is_sample) begin
+            samples <= in_front ? 1 : samples + 1;
+            front <= front || in_front;
+        end
+        if (fills) filled_value <= fill_any;
+    end
+
+    // A pixel that is read shows with the next enable.
+    reg reads = 0, shows = 0;
+    wire drained = drain_enable && drain_slot == slot && drain_pixel == pixel;
+    // Its slot was ready since the pixel was filled, and the pixel was not filled since.
+    reg is_known = 0, read_known;
+    reg was_filled = 0;
+    always @* assume (!(drain_enable && reads) || drain_slot == slot);
+    always @(posedge clk) if (!rst) begin
+        was_filled <= (was_filled || fills) && !falls;
+        is_known <= (falls ? was_filled : is_known) && !fills;
+        if (drain_enable) begin
+            reads <= drained && (falls ? was_filled : is_known);
+            shows <= reads;
+        end
+        if (slot_ready[slot]) {reads, shows} <= 0;
+    end
+
+    always @(posedge clk) if (!rst) begin
+        as_samples_made_it: assert (!(shows && !slot_ready[slot]) || (drain_weight == must && drain_depth == must
+            && drain_attribute_0 == must));
+        retires_what_came: assert (!retire_valid || pending[retire_slot] != 0);
+        frame_ends_last: assert (!frame_end || (ends != 0));
+        nothing_before_the_end: assert (!(frame_end && ends == 1) || !in_order_before);
+        one_or_the_other: assert (event_accumulate + event_hazard + event_slot_wait <= 1);
+    end
+    // Copies came before the end that is told first.
+    reg [3:0] before_end = 0;
+    wire in_order_before = before_end != 0;
+    always @(posedge clk) if (!rst) begin
+        if (ends == 0) before_end <= comes && in_end ? pending[0] + pending[1] - retire_valid : 0;
+        else before_end <= before_end == 0 ? 0 : before_end - retire_valid;
+    end
+
+    // Samples that waited for each other are in a pixel that is drained.
+    reg waited = 0;
+    always @(posedge clk) if (!rst) begin
+        waited <= waited || event_hazard;
+        cover (shows && must == 2 && !slot_ready[slot]);
+        cover (frame_end && waited);
+    end
+endmodule
