@@ -96,6 +96,11 @@ fn asked(config: &Config, number: u32, random: &mut fastrand::Rng) -> Vec<u64> {
 fn run(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fastrand::Rng, commands: u32) -> u32 {
     host.write("queries", QUERIES);
     assert!(host.start(commands));
+    answered(host, config, tree, random)
+}
+
+/// The queries of a run that has begun.
+fn answered(host: &mut SearchHost, config: &Config, tree: &Tree, random: &mut fastrand::Rng) -> u32 {
     host.received.clear();
     let mut queries = vec![];
     let mut refused = 0;
@@ -154,6 +159,20 @@ fn aborted_run(host: &mut SearchHost, config: &Config, random: &mut fastrand::Rn
     host.abort();
 }
 
+/// Steps a run until nothing is missing but that its last packets are taken, and so many cycles on in which they may be.
+fn run_to_its_end(host: &mut SearchHost, config: &Config, random: &mut fastrand::Rng, cycles: u64) {
+    const LONG: u64 = 500;
+    host.received.clear();
+    (0..QUERIES).for_each(|number| host.send(&asked(config, number, random), 0));
+    while host.received.iter().filter(|result| result.result.last).count() + 1 < QUERIES as usize {
+        host.step();
+    }
+    host.is_held = true;
+    (0..LONG).for_each(|_| host.step());
+    host.is_held = false;
+    (0..cycles).for_each(|_| host.step());
+}
+
 fn configs() -> [Config; 4] {
     let base = Config {
         index_bits: 10,
@@ -187,6 +206,32 @@ fn an_aborted_run_leaves_nothing_behind() {
                 host.expect_errors([0, number, 0, refused, 0]);
             }
         }
+    }
+}
+
+/// A run ends by itself about the moment in which it is aborted: what begins next, as soon as it may, is whole.
+#[test]
+fn an_abort_may_come_with_the_end_of_a_run() {
+    for config in configs() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let tree = Tree::random(&config, &mut random);
+        let mut host = host(&config, &tree, 1);
+        let (mut refused, mut busy) = (0, 0);
+        host.write("queries", QUERIES);
+        for cycles in (0..20).chain(0..20) {
+            assert!(host.start(0));
+            run_to_its_end(&mut host, &config, &mut random, cycles);
+            let mut is_started = host.abort_and_start();
+            host.forget();
+            while !is_started {
+                busy += 1;
+                is_started = host.start(0);
+            }
+            refused += answered(&mut host, &config, &tree, &mut random);
+            // It asked for a start within the run.
+            busy += 1;
+        }
+        host.expect_errors([0, busy, 0, refused, 0]);
     }
 }
 

@@ -109,6 +109,8 @@ pub struct Host<I: Packet, O: Packet> {
     pub memory: Vec<u8>,
     /// Packets that came.
     pub received: Vec<O>,
+    /// No packet is taken.
+    pub is_held: bool,
 }
 
 /// What feeds a carrier, with a pattern of stalls of its own.
@@ -187,6 +189,7 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
             memory_order: around.memory_order,
             memory: vec![0; around.memory],
             received: vec![],
+            is_held: false,
             bench,
         }
     }
@@ -214,6 +217,9 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
         if let (true, MemoryOrder::ReadsFirst, Some(writes)) = (reads_wait, *memory_order, writes) {
             writes.address.wait(bench);
             writes.data.wait(bench);
+        }
+        if self.is_held {
+            packets_out.wait(bench);
         }
         bench.step();
         let beat_bytes = self.widths.memory_bits as usize / 8;
@@ -247,8 +253,17 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
 
     /// Writes a register; returns whether it was accepted.
     pub fn write_at(&mut self, address: u64, data: u32) -> bool {
+        self.order_write(address, data);
+        self.write_answered()
+    }
+
+    fn order_write(&mut self, address: u64, data: u32) {
         self.register_write.0.items.push_back(vec![address]);
         self.register_write.1.items.push_back(vec![data.into(), 0xf]);
+    }
+
+    /// Whether the next write is accepted.
+    fn write_answered(&mut self) -> bool {
         loop {
             self.step();
             if let Some(answer) = self.register_write.2.taken(&self.bench) {
@@ -298,6 +313,19 @@ impl<C: Clone, I: Packet<Domain = Words, Config = C>, O: Packet<Domain = Words, 
     pub fn abort(&mut self) {
         assert!(self.write_at(CONTROL.into(), ABORT));
         self.finish();
+        self.forget();
+    }
+
+    /// Ends a run that may just end by itself, and begins another at once; returns whether that was accepted.
+    pub fn abort_and_start(&mut self) -> bool {
+        self.order_write(CONTROL.into(), ABORT);
+        self.order_write(CONTROL.into(), START);
+        assert!(self.write_answered());
+        self.write_answered()
+    }
+
+    /// Forgets what was not sent and what has come.
+    pub fn forget(&mut self) {
         self.packets_in.cease(&mut self.bench);
         self.received.clear();
     }
