@@ -1,7 +1,8 @@
 //! A host at the registers of either core: settings, starts, and what a run counted.
 
+use super::operations::Counted;
 use super::registers::{DONE, START};
-use super::script::{Counted, Script};
+use super::script::Script;
 use pointcore_contract::bus::Register;
 use pointcore_contract::bus::registers::CONTROL;
 

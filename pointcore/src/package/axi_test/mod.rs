@@ -3,6 +3,7 @@
 
 mod bench;
 mod control;
+mod operations;
 mod registers;
 mod script;
 mod search_script;

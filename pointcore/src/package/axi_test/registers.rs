@@ -1,6 +1,7 @@
 //! What a host tries on the registers of either core: every one of them, every access that is refused, and the counters of it.
 
-use super::script::{Refusal, Script};
+use super::operations::Refusal;
+use super::script::Script;
 use pointcore_contract::bus::config::REGISTER_BITS;
 use pointcore_contract::bus::registers::{CONTROL, INTERRUPT_ENABLE};
 use pointcore_contract::bus::{Access, Register, RegisterKind};

@@ -1,5 +1,6 @@
 //! The script that a bench on AXI plays: operations and data as words of 32 bits, and what the host has counted so far.
 
+use super::operations::{Burst, Channel, Counted, Pauses, Refusal};
 use fastrand::Rng;
 use pointcore_contract::bus::registers::{CONTROL, COUNTERS, ERRORS, ErrorCounter, STATUS};
 use std::collections::HashMap;
@@ -20,83 +21,6 @@ const CHANNELS: u32 = 19;
 /// Bytes as words of a script.
 pub fn words(bytes: &[u8]) -> Vec<u32> {
     bytes.chunks(4).map(|word| word.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))).collect()
-}
-
-/// Channels whose pauses a script sets by name, by their numbers in the bench.
-#[derive(Clone, Copy, Debug)]
-pub enum Channel {
-    /// Packets from the core.
-    Receive = 6,
-    /// Beats of memory.
-    ReadData = 8,
-    /// Data through the window.
-    WindowData = 10,
-    /// Answers to bursts that are written.
-    WriteAnswer = 18,
-}
-
-/// How often channels pause.
-#[derive(Clone, Copy, Debug)]
-pub enum Pauses {
-    /// Never.
-    None,
-    /// Each in a share of the cycles of its own.
-    Some,
-}
-
-/// Why an access is refused.
-#[derive(Clone, Copy, Debug)]
-pub enum Refusal {
-    /// For what it is.
-    Access,
-    /// Because a run is under way.
-    Busy,
-}
-
-/// What the bench counts itself.
-#[derive(Clone, Copy, Debug)]
-pub enum Counted {
-    /// Cycles of the run.
-    Cycles,
-    /// Packets that came in the run.
-    Packets,
-    /// Answers of memory that were errors.
-    MemoryErrors,
-    /// Bursts and beats of memory that were misshapen.
-    Misplaced,
-    /// Cycles of the run with an event, by its place.
-    Event(u32),
-}
-
-impl Counted {
-    const fn number(self) -> u32 {
-        match self {
-            Self::Cycles => 0,
-            Self::Packets => 1,
-            Self::MemoryErrors => 2,
-            Self::Misplaced => 3,
-            Self::Event(place) => 4 + place,
-        }
-    }
-}
-
-/// A burst through the window.
-#[derive(Clone, Debug)]
-pub struct Burst {
-    /// Its first byte.
-    pub address: u32,
-    /// Its words, lower half first.
-    pub data: Vec<u32>,
-    /// One less than its beats.
-    pub length: u32,
-    /// The binary logarithm of a beat's bytes.
-    pub size: u32,
-    /// How the address goes on.
-    pub kind: u32,
-    /// Beats whose strobes are others, a bit each, and those strobes.
-    pub strobes: (u32, u32),
-    /// Beats whose `wlast` is wrong, a bit each.
-    pub misplaced: u32,
 }
 
 /// A script as it grows.

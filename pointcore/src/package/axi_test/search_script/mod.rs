@@ -1,12 +1,14 @@
 //! The script for the search core.
 
+mod aborts;
 mod memory;
 mod runs;
 mod searches;
 mod window;
 
+use super::operations::Pauses;
 use super::registers;
-use super::script::{Pauses, Script};
+use super::script::Script;
 use crate::search::SearchError;
 use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
 use pointcore_contract::search::Config;

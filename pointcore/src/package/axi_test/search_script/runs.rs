@@ -1,8 +1,9 @@
 //! Runs of the search core: whole ones, disturbed ones, and such as are aborted.
 
 use super::super::control::Control;
-use super::super::registers::{ABORT, BUSY, DONE, RESET, START, clear, refuse_while_busy};
-use super::super::script::{Channel, Pauses, Refusal, Script, words};
+use super::super::operations::{Channel, Pauses};
+use super::super::registers::{BUSY, DONE, RESET, clear, refuse_while_busy};
+use super::super::script::{Script, words};
 use super::memory;
 use super::searches::{Placement, Searches};
 use crate::search::{QueryKind, Reuse};
@@ -17,13 +18,13 @@ use std::collections::BTreeMap;
 const POINTS_BASES: [u32; 2] = [0x5a96_7000, 0xa569_8000];
 const TREE_BASES: [u32; 2] = [0xc35a_9000, 0x3ca5_6000];
 /// Cycles in which what is under way comes to rest, or to wherever it is held.
-const SETTLE_CYCLES: u32 = 300;
+pub const SETTLE_CYCLES: u32 = 300;
 /// Cycles of the longest run.
 const LONG_RUN_CYCLES: u32 = 70_000;
 /// Queries of a run that lacks others.
-const FEW: usize = 3;
+pub const FEW: usize = 3;
 /// Nothing but holds a channel back.
-const ALWAYS: u8 = 255;
+pub const ALWAYS: u8 = 255;
 
 /// A host with its core.
 pub struct Host<'a> {
@@ -94,13 +95,13 @@ impl<'a> Host<'a> {
         self.control.script.send(&packet, self.config.bus.stream_bits);
     }
 
-    fn send(&mut self, index: usize) {
+    pub fn send(&mut self, index: usize) {
         let values = self.values(index);
         self.send_values(&values);
     }
 
     /// Expects the results of queries; of each so many as the core finds for it.
-    fn expect(&mut self, indices: impl Iterator<Item = usize>) {
+    pub fn expect(&mut self, indices: impl Iterator<Item = usize>) {
         let answers: Vec<_> = indices.map(|index| self.answer(index, usize::MAX, false)).collect();
         self.control.script.expect(&answers);
     }
@@ -117,12 +118,12 @@ impl<'a> Host<'a> {
         (placement.number(config, index), place, results.len() as u32)
     }
 
-    fn start(&mut self, queries: u32) {
+    pub fn start(&mut self, queries: u32) {
         self.control.set("queries", queries);
         self.control.start();
     }
 
-    fn all(&self) -> std::ops::Range<usize> {
+    pub fn all(&self) -> std::ops::Range<usize> {
         0..self.searches.count()
     }
 
@@ -260,89 +261,6 @@ impl<'a> Host<'a> {
         self.send(0);
         self.control.script.wait_received(0);
         self.control.finish(self.searches.count());
-    }
-
-    /// Runs that lack nearly all of their queries.
-    pub fn run_without_end(&mut self) {
-        self.control.script.pauses(Pauses::None);
-        let few = FEW.min(self.searches.count());
-        for bit in 2..u32::BITS {
-            self.expect(0..few);
-            self.start(1 << bit);
-            (0..few).for_each(|index| self.send(index));
-            self.control.script.wait_received(0);
-            self.control.script.wait(20);
-            self.control.script.read(STATUS, BUSY);
-            self.control.script.write(CONTROL, ABORT);
-            self.control.finish(few);
-        }
-    }
-
-    /// A host that has sent a part of a packet goes on with it in the next run.
-    pub fn abort_within_packet(&mut self) {
-        self.control.script.pauses(Pauses::Some);
-        let beats = Layout::record::<CachedQuery>(self.config).beats(self.config.bus.stream_bits);
-        for held in 1..beats {
-            self.control.script.expect(&[]);
-            self.start(2);
-            self.control.script.hold(Some(held));
-            self.send(0);
-            self.control.script.wait(SETTLE_CYCLES);
-            self.control.script.write(CONTROL, ABORT);
-            self.control.finish(0);
-            self.expect(0..1);
-            self.start(1);
-            self.control.script.hold(None);
-            self.control.script.count(ErrorCounter::Packet);
-            self.send(0);
-            self.control.script.wait_received(0);
-            self.control.finish(1);
-        }
-    }
-
-    /// Nothing is taken back that is under way: until it has come, no run begins.
-    pub fn abort_held(&mut self) {
-        for channel in [Channel::Receive, Channel::ReadData] {
-            self.control.script.pauses(Pauses::None);
-            self.control.script.write(CONTROL, RESET);
-            self.control.script.share(channel, ALWAYS);
-            self.expect(self.all());
-            self.start(self.searches.count() as u32);
-            // Not more than the core takes while it is held.
-            let few = FEW.min(self.config.threads as usize).min(self.searches.count());
-            (0..few).for_each(|index| self.send(index));
-            // A tree cache clears a line a cycle.
-            self.control.script.wait(self.config.tree_cache + SETTLE_CYCLES);
-            self.control.script.write(CONTROL, ABORT);
-            self.control.script.wait(SETTLE_CYCLES);
-            self.control.script.refuse(CONTROL, START, Refusal::Busy);
-            self.control.script.write(CONTROL, ABORT);
-            self.control.script.errors(BUSY);
-            self.control.script.share(channel, 128);
-            self.control.script.wait_interrupt();
-            self.control.check_counters(few);
-            self.control.script.expect(&[]);
-            self.control.script.errors(DONE);
-            self.run(Pauses::Some);
-        }
-    }
-
-    /// A run that is aborted somewhere on its way.
-    pub fn abort_somewhere(&mut self) {
-        self.control.script.pauses(Pauses::Some);
-        self.expect(self.all());
-        let sent = self.control.script.random.usize(1..self.searches.count().max(2));
-        self.start(self.searches.count() as u32);
-        self.all().take(sent).for_each(|index| self.send(index));
-        self.control.script.wait_sent();
-        let cycles = self.control.script.random.u32(..SETTLE_CYCLES);
-        self.control.script.wait(cycles);
-        self.control.script.write(CONTROL, ABORT);
-        self.control.script.wait_interrupt();
-        self.control.check_counters(sent.min(self.searches.count()));
-        self.control.script.expect(&[]);
-        self.control.script.check_quiet(0);
-        self.control.script.errors(DONE);
     }
 
     /// A leaf without beats is read as of one, and counted.

@@ -1,7 +1,8 @@
 //! The window to the tree: bursts that write it, and bursts that are refused.
 
+use super::super::operations::{Burst, Channel, Pauses, Refusal};
 use super::super::registers::{START, clear};
-use super::super::script::{Burst, Channel, Pauses, Refusal, words};
+use super::super::script::words;
 use super::memory::WORD_BYTES;
 use super::runs::Host;
 use pointcore_contract::bus::config::BURST_BEATS_MAX;

@@ -5,8 +5,9 @@ mod runs;
 
 pub use frames::PAGES;
 
+use super::operations::Pauses;
 use super::registers;
-use super::script::{Pauses, Script};
+use super::script::Script;
 use crate::splat::SplatCore;
 use pointcore_contract::bus::registers::{RegisterMap, SplatRegisters};
 use pointcore_contract::splat::Config;

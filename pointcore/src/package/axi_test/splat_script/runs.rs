@@ -1,8 +1,9 @@
 //! Frames of the renderer: whole ones, disturbed ones, and such as are aborted.
 
 use super::super::control::Control;
+use super::super::operations::{Channel, Pauses, Refusal};
 use super::super::registers::{ABORT, BUSY, DONE, RESET, START, clear, refuse_while_busy};
-use super::super::script::{Channel, Pauses, Refusal, Script, words};
+use super::super::script::{Script, words};
 use super::frames::Frame;
 use pointcore_contract::bus::registers::{CONTROL, ErrorCounter, INTERRUPT_ENABLE, STATUS};
 use pointcore_contract::bus::{Layout, Register};
