@@ -10,6 +10,12 @@ pub const DIMENSION_BITS: u32 = 2;
 /// Bits of a point's index at most.
 const INDEX_BITS_MAX: u32 = 32;
 
+/// Queries that others follow in the neighbor cache, at most: so many may come close to each other at a time.
+const LEADERS_MAX: u32 = 16;
+
+/// Queries that wait in the neighbor cache for each one they follow: as many as a search answers on the way.
+const FOLLOWERS_PER_LEADER: u32 = 2;
+
 /// Searches beyond the threads: one whose neighbors are being copied, one that waits to start, two that are being compared.
 const SPARE_TICKETS: u32 = 4;
 
@@ -162,6 +168,24 @@ impl Config {
     #[must_use]
     pub const fn tickets(&self) -> u32 {
         self.threads + SPARE_TICKETS
+    }
+
+    /// Queries under way in the neighbor cache that others may wait for: one a thread.
+    #[must_use]
+    pub const fn leaders(&self) -> u32 {
+        if self.threads < LEADERS_MAX { self.threads } else { LEADERS_MAX }
+    }
+
+    /// Bits of the number of a query that others may wait for.
+    #[must_use]
+    pub const fn leader_bits(&self) -> u32 {
+        index_bits(self.leaders())
+    }
+
+    /// Queries that may wait in the neighbor cache for those they follow.
+    #[must_use]
+    pub const fn followers(&self) -> u32 {
+        self.leaders() * FOLLOWERS_PER_LEADER
     }
 }
 

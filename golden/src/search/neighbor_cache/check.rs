@@ -2,6 +2,7 @@
 
 use super::coverage::Reference;
 use super::entries::Entries;
+use super::lead::Asked;
 use crate::datapath::Datapath;
 use crate::stream::Skid;
 use pointcore_contract::Format;
@@ -31,6 +32,7 @@ struct Issued {
 #[derive(Clone, Copy, Debug)]
 struct Compared {
     item: Item,
+    margin: u32,
     covered: bool,
 }
 
@@ -39,15 +41,19 @@ struct Compared {
 struct Judged {
     entry: usize,
     last: bool,
-    /// The entry covers the query and is still what it was when it was read.
+    margin: u32,
+    /// The entry was still what it had been when it was read.
+    reusable: bool,
+    /// Besides, it covers the query.
     matches: bool,
 }
 
 impl Compared {
     fn judge(self, entries: &Entries) -> Judged {
-        let Self { item: Item { entry, last, present, version }, covered } = self;
+        let Self { item: Item { entry, last, present, version }, margin, covered } = self;
         let now = entries.get(entry);
-        Judged { entry, last, matches: covered && present && now.present && now.version == version }
+        let reusable = present && now.present && now.version == version;
+        Judged { entry, last, margin, reusable, matches: covered && reusable }
     }
 }
 
@@ -55,9 +61,9 @@ impl Compared {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Verdict {
     /// The entry answers the query.
-    Hit { entry: usize, query: CachedQuery },
+    Hit { entry: usize, asked: Asked },
     /// No entry does.
-    Miss { query: CachedQuery },
+    Miss { asked: Asked },
     /// Nothing yet, or the query was answered before.
     Pass,
 }
@@ -66,11 +72,11 @@ pub(super) enum Verdict {
 #[derive(Clone, Debug)]
 pub(super) struct Check {
     geometry: Format,
-    queries: Skid<CachedQuery>,
+    queries: Skid<Asked>,
     /// The entry that the next item is about.
     next: usize,
     /// What is asked by the items under way.
-    asked: VecDeque<CachedQuery>,
+    asked: VecDeque<Asked>,
     issued: Option<Issued>,
     datapath: Datapath<Compared>,
     judged: Option<Judged>,
@@ -98,17 +104,22 @@ impl Check {
 
     /// What comes of the item that is judged, if there is one, while `copying` is copied to.
     pub(super) fn verdict(&self, copying: Option<usize>) -> Option<Verdict> {
-        let Judged { entry, last, matches } = self.judged?;
-        let query = *self.asked.front().expect("a query stays until its last item leaves");
+        let Judged { entry, last, matches, .. } = self.judged?;
+        let asked = *self.asked.front().expect("a query stays until its last item leaves");
         Some(if self.answered {
             Verdict::Pass
         } else if matches && copying != Some(entry) {
-            Verdict::Hit { entry, query }
+            Verdict::Hit { entry, asked }
         } else if last {
-            Verdict::Miss { query }
+            Verdict::Miss { asked }
         } else {
             Verdict::Pass
         })
+    }
+
+    /// What the item that is judged tells of the margins of neighborhoods, as it leaves.
+    pub(super) fn margin(&self) -> Option<u32> {
+        self.judged.filter(|judged| judged.reusable).map(|judged| judged.margin)
     }
 
     /// Queries that are being compared.
@@ -120,7 +131,7 @@ impl Check {
     /// `admits` whether one more query may be compared.
     pub(super) fn clock(
         &mut self,
-        input: Option<CachedQuery>,
+        input: Option<Asked>,
         leaves: Option<Verdict>,
         copying: Option<usize>,
         admits: bool,
@@ -130,9 +141,9 @@ impl Check {
         let has_room = self.next != 0 || (self.asked.len() < CHECKS && admits);
         let enters = self.datapath.in_ready();
         let advances = self.issued.is_none() || enters;
-        let compared = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| Compared {
-            item,
-            covered: reference.covers(self.geometry, &query, setup),
+        let compared = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| {
+            let (margin, covered) = reference.covers(self.geometry, &query, setup);
+            Compared { item, margin, covered }
         });
         let takes_judged = self.judged.is_none() || leaves.is_some();
         let left = self.datapath.step(compared, takes_judged);
@@ -151,21 +162,21 @@ impl Check {
 
         let mut takes_query = false;
         if advances {
-            self.issued = self.queries.out().copied().filter(|_| has_room).map(|query| self.issue(query, entries));
+            self.issued = self.queries.out().copied().filter(|_| has_room).map(|asked| self.issue(asked, entries));
             takes_query = self.issued.is_some_and(|issued| issued.item.last);
         }
         self.queries.step(input, takes_query);
     }
 
-    fn issue(&mut self, query: CachedQuery, entries: &Entries) -> Issued {
+    fn issue(&mut self, asked: Asked, entries: &Entries) -> Issued {
         let entry = self.next;
         let last = entry + 1 == entries.len();
         if entry == 0 {
-            self.asked.push_back(query);
+            self.asked.push_back(asked);
         }
         self.next = if last { 0 } else { entry + 1 };
         let state = entries.get(entry);
         let item = Item { entry, last, present: state.present, version: state.version };
-        Issued { item, query, reference: state.reference }
+        Issued { item, query: asked.query, reference: state.reference }
     }
 }

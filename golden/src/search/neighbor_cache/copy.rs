@@ -13,6 +13,8 @@ pub(super) struct Copying {
     pub(super) entry: usize,
     /// The query that was searched for, under the host's number.
     pub(super) query: Query,
+    /// Its number among the leaders, if it leads.
+    leader: Option<usize>,
     /// Neighbors copied.
     pub(super) copied: u8,
     /// Squared distance of the last one copied, 0 if there is none.
@@ -59,6 +61,14 @@ impl Copying {
     }
 }
 
+/// A complete neighborhood on its way to its entry.
+#[derive(Clone, Copy, Debug)]
+struct Complete {
+    entry: usize,
+    reference: Reference,
+    leader: Option<usize>,
+}
+
 /// The copying of neighborhoods.
 #[derive(Clone, Debug)]
 pub(super) struct Copy {
@@ -66,8 +76,8 @@ pub(super) struct Copy {
     found: Skid<QueryResult>,
     copying: Option<Copying>,
     /// A complete neighborhood whose comparison value is to be computed.
-    closed: Option<(usize, Reference)>,
-    cover: Datapath<(usize, Reference)>,
+    closed: Option<Complete>,
+    cover: Datapath<Complete>,
 }
 
 impl Copy {
@@ -98,12 +108,17 @@ impl Copy {
         }
     }
 
+    /// The leader whose neighborhood is present from the next cycle on, if there is one.
+    pub(super) fn finished(&self) -> Option<usize> {
+        self.cover.out().and_then(|complete| complete.leader)
+    }
+
     /// One clock edge; `query` is what was read of the ticket of a copy that starts.
     pub(super) fn clock(
         &mut self,
         found: Option<QueryResult>,
         step: &Step,
-        query: Option<Query>,
+        query: Option<(Query, Option<usize>)>,
         entries: &mut Entries,
         setup: &CacheSetup,
     ) {
@@ -112,13 +127,14 @@ impl Copy {
             Step::Wait => {}
             Step::Start { entry, .. } => {
                 entries.start_writing(entry);
-                self.copying = query.map(|query| Copying { entry, query, copied: 0, distance2: 0 });
+                self.copying = query.map(|(query, leader)| Copying { entry, query, leader, copied: 0, distance2: 0 });
             }
             Step::Take { copying, result } if result.last => {
                 let Closing { extent, count } = copying.close(&result, setup);
                 entries.set_count(copying.entry, count);
                 let cover = extent.cover(self.geometry, setup);
-                self.closed = Some((copying.entry, Reference { point: copying.query.point, cover }));
+                let reference = Reference { point: copying.query.point, cover };
+                self.closed = Some(Complete { entry: copying.entry, reference, leader: copying.leader });
                 self.copying = None;
             }
             Step::Take { copying, result } if result.found => {
@@ -127,7 +143,7 @@ impl Copy {
             }
             Step::Take { .. } => {}
         }
-        if let Some((entry, reference)) = self.cover.step(judged, true) {
+        if let Some(Complete { entry, reference, .. }) = self.cover.step(judged, true) {
             entries.stop_writing(entry, reference);
         }
         self.found.step(found, matches!(step, Step::Take { .. }));

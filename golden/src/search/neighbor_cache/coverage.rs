@@ -33,12 +33,12 @@ impl Extent {
 }
 
 impl Reference {
-    /// `r < c` and `d² < ((c − r)·margin_scale)²`.
-    pub(super) fn covers(&self, geometry: Format, query: &CachedQuery, setup: &CacheSetup) -> bool {
+    /// `margin = (c − r)·margin_scale`, and whether `r < c` and `d² < margin²`.
+    pub(super) fn covers(&self, geometry: Format, query: &CachedQuery, setup: &CacheSetup) -> (u32, bool) {
         let number = |bits| Number::new(geometry, bits);
         let (cover, reach) = (number(self.cover), number(query.reach));
         let margin = (cover - reach) * number(setup.margin_scale);
         let distance2 = number(squared_distance(geometry, self.point, query.query.point));
-        reach.is_below(cover) && distance2.is_below(margin * margin)
+        (margin.bits(), reach.is_below(cover) && distance2.is_below(margin * margin))
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Queries are checked against all entries in turn, a few queries at a time; those that no entry covers are searched for, and
 //! what is found takes the place of the least recently used entry that nobody reads. An answer is always read from an entry.
+//! A query near one that is not answered yet is checked when that one's neighborhood is there.
 //!
 //! A neighborhood that is reused bears the distances to the query it was found for. Of neighborhoods that cover a query the one
 //! with the lowest number answers it.
@@ -11,6 +12,9 @@ mod copy;
 mod coverage;
 mod deliver;
 mod entries;
+mod follow;
+mod grid;
+mod lead;
 #[cfg(test)]
 mod tests;
 mod tickets;
@@ -22,8 +26,10 @@ use check::{Check, Verdict};
 use copy::{Copy, Step};
 use deliver::{Answer, Deliver};
 use entries::Entries;
+use follow::Follow;
+use lead::{Asked, Lead, Role};
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{CacheSetup, CachedQuery, Query};
+use pointcore_contract::search::records::{CacheSetup, Query};
 use pointcore_contract::search::units::NeighborCacheEvents;
 pub use pointcore_contract::search::units::neighbor_cache::{In, Out};
 use tickets::Tickets;
@@ -39,6 +45,8 @@ struct Neighbor {
 #[derive(Clone, Debug)]
 pub struct NeighborCache {
     setup: CacheSetup,
+    lead: Lead,
+    follow: Follow,
     check: Check,
     tickets: Tickets,
     search: Skid<Query>,
@@ -56,6 +64,8 @@ impl NeighborCache {
         let (entries, neighbors) = (config.neighbor_cache as usize, config.neighbors as usize);
         Self {
             setup: CacheSetup::default(),
+            lead: Lead::new(config),
+            follow: Follow::new(config),
             check: Check::new(config.geometry, latencies.check),
             tickets: Tickets::new(config.tickets()),
             search: Skid::default(),
@@ -79,7 +89,7 @@ impl NeighborCache {
     /// The query that goes to the search, under its ticket; a complete neighborhood gives back its own.
     fn search_for(&mut self, verdict: Option<Verdict>, step: &Step) -> Option<Query> {
         let searched = match verdict {
-            Some(Verdict::Miss { query: CachedQuery { query, .. } }) => Some(query),
+            Some(Verdict::Miss { asked }) => Some(asked),
             _ => None,
         };
         let returns = match step {
@@ -87,7 +97,28 @@ impl NeighborCache {
             _ => None,
         };
         let ticket = self.tickets.clock(searched, returns);
-        searched.zip(ticket).map(|(query, number)| Query { number, ..query })
+        searched.zip(ticket).map(|(asked, number)| Query { number, ..asked.query.query })
+    }
+
+    /// Takes a query in, and returns the one that goes to be compared.
+    fn ask(&mut self, inputs: &In, verdict: Option<Verdict>) -> Option<Asked> {
+        let room = self.check.in_ready();
+        let next = self.follow.next();
+        let role = self.lead.role(self.follow.has_room(), room && next.is_none());
+        let hit = match verdict {
+            Some(Verdict::Hit { asked, .. }) => asked.leader,
+            _ => None,
+        };
+        let finished: Vec<_> = hit.into_iter().chain(self.copy.finished()).collect();
+        let measured = verdict.and_then(|_| self.check.margin());
+        self.lead.clock(inputs.query, role, measured, &finished, inputs.setup.is_some());
+        let (enters, leads) = match role {
+            Some(Role::Follows { query, leader }) => (Some((query, leader)), None),
+            Some(Role::Leads { asked, .. }) => (None, Some(asked)),
+            None => (None, None),
+        };
+        self.follow.clock(enters, room, &finished);
+        next.filter(|_| room).map(|query| Asked { query, leader: None }).or(leads)
     }
 
     /// Writes a neighbor to its place.
@@ -103,7 +134,9 @@ impl NeighborCache {
 /// The answer that a hit or a complete neighborhood gives; they never come together.
 const fn answer(verdict: Option<Verdict>, step: &Step) -> Option<Answer> {
     match (verdict, step) {
-        (Some(Verdict::Hit { entry, query }), _) => Some(Answer { entry, number: query.query.number, cached: true }),
+        (Some(Verdict::Hit { entry, asked }), _) => {
+            Some(Answer { entry, number: asked.query.query.number, cached: true })
+        }
         (_, Step::Take { copying, result }) if result.last => {
             Some(Answer { entry: copying.entry, number: copying.query.number, cached: false })
         }
@@ -118,7 +151,7 @@ impl Model for NeighborCache {
 
     fn outputs(&self) -> Out {
         Out {
-            query_ready: self.check.in_ready(),
+            query_ready: self.lead.in_ready(),
             search: self.search.out().copied(),
             found_ready: self.copy.in_ready(),
             result: self.deliver.out().copied(),
@@ -134,8 +167,9 @@ impl Model for NeighborCache {
         let step = self.copy.step(&self.entries, hit, self.deliver.in_ready());
         let answer = answer(verdict, &step);
 
+        let asked = self.ask(inputs, verdict);
         let admits = self.tickets.admit(self.check.compared());
-        self.check.clock(inputs.query, verdict, self.copy.target(), admits, &self.entries, &self.setup);
+        self.check.clock(asked, verdict, self.copy.target(), admits, &self.entries, &self.setup);
         let released = self.deliver.clock(answer, &self.entries, &self.neighborhoods, inputs.result_ready);
         let started = match step {
             Step::Start { ticket, .. } => Some(self.tickets.query(ticket)),

@@ -1,11 +1,13 @@
 //! Tickets: the queries that are searched for, each under a number of its own.
 
-use pointcore_contract::search::records::Query;
+use super::lead::Asked;
+use pointcore_contract::search::records::{CachedQuery, Query};
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Ticket {
     taken: bool,
     query: Query,
+    leader: Option<usize>,
 }
 
 /// All tickets.
@@ -27,15 +29,18 @@ impl Tickets {
         compared + taken - usize::from(self.next.is_some()) < self.tickets.len()
     }
 
-    pub(super) fn query(&self, ticket: u32) -> Query {
-        self.tickets[ticket as usize].query
+    /// The query, and its number among the leaders if it leads.
+    pub(super) fn query(&self, ticket: u32) -> (Query, Option<usize>) {
+        let Ticket { query, leader, .. } = self.tickets[ticket as usize];
+        (query, leader)
     }
 
     /// One clock edge: gives the query that is `searched` for, if there is one, its ticket, and takes back one that `returns`.
-    pub(super) fn clock(&mut self, searched: Option<Query>, returns: Option<u32>) -> Option<u32> {
-        let given = searched.map(|query| {
+    pub(super) fn clock(&mut self, searched: Option<Asked>, returns: Option<u32>) -> Option<u32> {
+        let given = searched.map(|Asked { query: CachedQuery { query, .. }, leader }| {
             let ticket = self.next.take().expect("a ticket is there for every query that was admitted");
-            self.tickets[ticket as usize].query = query;
+            let place = &mut self.tickets[ticket as usize];
+            (place.query, place.leader) = (query, leader);
             ticket
         });
         if self.next.is_none()

@@ -7,13 +7,15 @@ use pointcore_contract::search::units::neighbor_cache::PORTS;
 
 use super::cover::{Cover, Covers};
 use super::deliver::Answer;
+use super::grid::Measured;
+use super::lead::{Asked, Finished, Leading};
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile, name};
 use crate::search::parts::head_queue::HeadQueue;
 use crate::units::datapath::dot;
 use crate::units::passage::Passage;
-use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts};
+use crate::units::ports::{Flow, OutputPorts, StreamOutPorts};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Module, lit};
@@ -41,6 +43,15 @@ struct Item {
     /// Which neighborhood of the entry's it was.
     #[bits(VERSION_BITS)]
     version: u8,
+}
+
+/// What of a query its answer needs.
+#[record(config: Config)]
+pub(super) struct Searched {
+    /// The query.
+    pub query: Query,
+    /// Whether others wait for its neighborhood.
+    pub leading: Leading,
 }
 
 /// What of a query the comparison needs.
@@ -98,6 +109,9 @@ struct MarginScale {
 struct Compared {
     /// The comparison.
     item: Item,
+    /// How far around its query the entry's neighborhood covers such queries.
+    #[bits(config.geometry.width())]
+    margin: u32,
     /// The entry's neighborhood, as it was then, covers the query.
     covered: bool,
 }
@@ -115,12 +129,14 @@ fn comparison(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let [offset_x, offset_y, offset_z] = offset;
     name!(offset_x, offset_y, offset_z, excess, margin);
     let covered = reach.lt(cover) & dot(&offset, &offset).lt(margin * margin);
-    Compared { item, covered }.outputs(&program, config);
+    Compared { item, margin, covered }.outputs(&program, config);
     compile(&program, options)
 }
 
 /// What a query may be answered from or searched with.
 pub(super) struct Resources<'a> {
+    /// The queries.
+    pub asks: Flow<Asked<Wires>>,
     pub entries: &'a Entries,
     pub covers: &'a Covers,
     pub tickets: &'a Tickets,
@@ -142,7 +158,11 @@ pub(super) struct Check {
     /// A query is to be searched for.
     pub misses: Expr,
     /// The query of both.
-    pub query: Query<Wires>,
+    pub searched: Searched<Wires>,
+    /// The query is a leader's, and answered.
+    pub finished: Finished,
+    /// What a comparison tells of the margins of neighborhoods.
+    pub measured: Measured,
     pub manifest: Manifest,
 }
 
@@ -151,7 +171,7 @@ struct Comparisons {
     out: Flow<Compared<Wires>>,
     enters: Expr,
     /// The queries whose comparisons are under way.
-    asked: HeadQueue<Query<Wires>>,
+    asked: HeadQueue<Searched<Wires>>,
     manifest: Manifest,
 }
 
@@ -163,8 +183,8 @@ impl Comparisons {
         from: &Resources<'_>,
         pop: Expr,
     ) -> Result<Self, CompileError> {
-        let queries = PORTS.query.queue(m, config);
-        let CachedQuery { query, reach } = queries.record;
+        let queries = from.asks;
+        let Asked { query: CachedQuery { query, reach }, leading } = queries.record;
         let Datapath { module, manifest } = comparison(config, options)?;
         let datapath = Passage::<Comparison, Compared>::place(m, "check", module);
         let accepts = datapath.room(m);
@@ -175,7 +195,7 @@ impl Comparisons {
         let issues = m.forward("issues", 1);
         let enters = m.wire("enters", issues & first);
         let asked = HeadQueue::new(m, config, "asked", CHECKS);
-        asked.update(m, config, enters, query, pop);
+        asked.update(m, config, enters, Searched { query, leading }, pop);
 
         let i1_valid = m.reg_reset("i1_valid", 1, 0);
         let advance = m.wire("i_advance", !i1_valid | accepts);
@@ -201,10 +221,10 @@ impl Check {
     pub fn new(m: &mut Module, config: &Config, options: &Options, from: &Resources<'_>) -> Result<Self, CompileError> {
         let pops = m.forward("asked_pops", 1);
         let Comparisons { out, enters, asked, manifest } = Comparisons::new(m, config, options, from, pops.expr())?;
-        let Compared { item, covered } = out.record;
+        let Compared { item, margin, covered } = out.record;
         let compared = item.judged.entry;
         let unchanged = item.version.eq(from.entries.version(compared));
-        let reusable = (item.present & from.entries.is_present(compared)) & unchanged;
+        let reusable = m.wire("reusable", (item.present & from.entries.is_present(compared)) & unchanged);
         let matched = m.wire("matched", covered & reusable);
 
         // j: what the entry was when its item was taken is known; what it is now, the copying tells.
@@ -217,6 +237,10 @@ impl Check {
         let given_away = m.wire("j_given_away", from.copied.valid & entry.eq(from.copied.entry));
         let reads = m.wire("j_reads", matches & !given_away);
         m.next(matches, advance.mux(matched, reads));
+        let measures = m.reg("j_reusable", 1);
+        let measured = m.reg("j_margin", config.geometry.width());
+        m.next_if(measures, advance, reusable);
+        m.next_if(measured, advance, margin);
 
         let answered = m.reg_reset("answered", 1, 0);
         let open = m.wire("open", valid & !answered);
@@ -234,12 +258,15 @@ impl Check {
         m.assert("a_comparison_has_its_query", !valid | asked.holds);
         m.assert("a_hit_is_present", !hits | from.entries.is_present(entry));
 
-        let query = asked.head;
+        let searched = asked.head;
+        let Searched { query, leading } = searched;
         search.push(m, config, misses, Query { number: from.tickets.next.zext(config.index_bits), ..query });
         PORTS.events.event(m, config, |events| events.hit, hits);
         PORTS.events.event(m, config, |events| events.miss, misses);
         let hit = Answer { by: Chosen { valid: hits, entry }, number: query.number };
         let answered = pops & !misses;
-        Ok(Self { enters, answered, hit, misses, query, manifest })
+        let finished = Finished::of(hits, leading);
+        let measured = Measured { valid: leaves & measures, margin: measured.expr() };
+        Ok(Self { enters, answered, hit, misses, searched, finished, measured, manifest })
     }
 }

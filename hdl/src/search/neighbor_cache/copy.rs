@@ -5,6 +5,7 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::records::QueryResult;
 use pointcore_contract::search::units::neighbor_cache::PORTS;
 
+use super::check::Searched;
 use super::cover::Reach;
 use super::deliver::Answer;
 use super::lru::{Chosen, Entries};
@@ -44,7 +45,7 @@ pub(super) fn copy(
     let starts = m.wire("copy_starts", (found.valid & !copying) & (entries.victim.valid & !hits));
     let target = m.reg("copy_entry", config.entry_bits());
     m.next_if(target, starts, entries.victim.entry);
-    let query = tickets.query(m, config, starts, ticket);
+    let Searched { query, leading } = tickets.query(m, config, starts, ticket);
 
     let ready = m.wire("copy_ready", copying & (!last | (room & !hits)));
     m.drive(found.ready, ready);
@@ -81,6 +82,7 @@ pub(super) fn copy(
         point: query.point,
         far2: full.mux(distance2, radius2),
         near2: is_ball.mux(zero, near2),
+        leading,
     };
     let start = Chosen { valid: starts, entry: entries.victim.entry };
     let target = Chosen { valid: copying.expr(), entry: target.expr() };

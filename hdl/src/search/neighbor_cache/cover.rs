@@ -4,6 +4,7 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{AXES, CacheSetup};
 use pointcore_contract::{record, width};
 
+use super::lead::{Finished, Leading};
 use super::lru::Chosen;
 use super::neighborhoods::entry_words;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
@@ -40,6 +41,8 @@ pub(super) struct Reach {
     /// Within this one lie all that are wanted.
     #[bits(config.geometry.width())]
     pub near2: u32,
+    /// Whether others wait for it.
+    pub leading: Leading,
 }
 
 /// A setting.
@@ -58,17 +61,19 @@ struct EntryCover {
     entry: u8,
     /// What queries are compared with.
     cover: Cover,
+    /// Whether others wait for it.
+    leading: Leading,
 }
 
 /// The comparison value from the squared distances.
 fn comparison_value(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("search_cover", "How far a neighborhood reaches.");
-    let Reach { entry, point, far2, near2 } = Reach::<Values>::inputs(&program, config);
+    let Reach { entry, point, far2, near2, leading } = Reach::<Values>::inputs(&program, config);
     let root = |square: Value| square.as_float(config.geometry).sqrt();
     let far = root(far2).named("far");
     let FarScale { far_scale } = FarScale::<Values>::uniforms(&program, config, config.geometry);
     let cover = Cover { point, c: far * far_scale - root(near2).named("near") };
-    EntryCover { entry, cover }.outputs(&program, config);
+    EntryCover { entry, cover, leading }.outputs(&program, config);
     compile(&program, options)
 }
 
@@ -89,7 +94,8 @@ impl Covers {
         Cover::unpack(config, cover)
     }
 
-    /// Judges a neighborhood where `valid`; returns the entry whose comparison value is written, some time later.
+    /// Judges a neighborhood where `valid`; returns the entry whose comparison value is written, some time later, and the leader
+    /// that it was found for.
     pub fn judge(
         self,
         m: &mut Module,
@@ -97,7 +103,7 @@ impl Covers {
         options: &Options,
         settings: CacheSetup<Wires>,
         (valid, reach): (Expr, Reach<Wires>),
-    ) -> Result<(Chosen, Manifest), CompileError> {
+    ) -> Result<(Chosen, Finished, Manifest), CompileError> {
         let Datapath { module, manifest } = comparison_value(config, options)?;
         let datapath = Passage::<Reach, EntryCover>::place(m, "judge", module);
         let reach_valid = m.reg_reset("reach_valid", 1, 0);
@@ -107,8 +113,8 @@ impl Covers {
         datapath.set::<FarScale>(m, config, FarScale { far_scale: settings.far_scale });
         let out = datapath.out(m, config);
         m.drive(out.ready, bit(true));
-        let EntryCover { entry, cover } = out.record;
+        let EntryCover { entry, cover, leading } = out.record;
         m.write(self.memory, out.valid, entry, cover.pack(config));
-        Ok((Chosen { valid: out.valid, entry }, manifest))
+        Ok((Chosen { valid: out.valid, entry }, Finished::of(out.valid, leading), manifest))
     }
 }

@@ -5,6 +5,9 @@ mod check;
 mod copy;
 mod cover;
 mod deliver;
+mod follow;
+mod grid;
+mod lead;
 mod lru;
 mod neighborhoods;
 mod tickets;
@@ -13,14 +16,18 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::units::neighbor_cache::PORTS;
 
 use crate::compiler::{CompileError, Manifest, Options};
+use crate::stream::skid;
 use crate::units::ports::PulseInPorts;
-use crate::units::wires::Bundle;
+use crate::units::queue::Pushed;
+use crate::units::wires::{Bundle, layout};
 use rtl::Module;
 
 use check::{Check, Resources};
 use copy::copy;
 use cover::Covers;
 use deliver::Deliveries;
+use follow::Follow;
+use lead::{Asked, Room, alone, lead};
 use lru::{Chosen, Entries, Uses};
 use neighborhoods::Neighborhoods;
 use tickets::Tickets;
@@ -56,14 +63,24 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     let copying = m.forward("copied", 1);
     let target = m.forward("copied_entry", config.entry_bits());
     let copied = Chosen { valid: copying.expr(), entry: target.expr() };
-    let resources = Resources { entries: &entries, covers: &covers, tickets: &tickets, settings, copied, room };
+    let (pushed, asks) = Pushed::<Asked>::place(&mut m, config, "asks", skid(&layout::<Asked>(config)));
+    let resources = Resources { asks, entries: &entries, covers: &covers, tickets: &tickets, settings, copied, room };
     let check = Check::new(&mut m, config, options, &resources)?;
     let hit = check.hit;
     let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (settings.ball, hit.by.valid, room));
     m.drive(copying, copy.target.valid);
     m.drive(target, copy.target.entry);
-    let (judged, cover) = covers.judge(&mut m, config, options, settings, (copy.end.by.valid, copy.reach))?;
+    let (judged, delivered, cover) =
+        covers.judge(&mut m, config, options, settings, (copy.end.by.valid, copy.reach))?;
     let release = deliveries.send(&mut m, config, [hit, copy.end], &neighborhoods);
+
+    let finished = [check.finished, delivered];
+    let follow = Follow::new(&mut m, config, pushed.room);
+    let room = Room { to_follow: follow.has_room, to_lead: pushed.room & !follow.has_next };
+    let role = lead(&mut m, config, room, finished, (check.measured, setup.valid));
+    let asked = Asked::choose(config, follow.has_next, alone(config, follow.next), role.asked);
+    pushed.push(&mut m, config, follow.has_next | role.leads, asked);
+    follow.update(&mut m, config, &role, finished);
 
     tickets.update(&mut m, config, &check, copy.end.by.valid, copy.ticket);
     let uses = Uses { setup: setup.valid, hit: hit.by, start: copy.start, end: copy.end.by, judged, release };

@@ -1,11 +1,10 @@
 //! The searches under way: a search bears a ticket in place of its query's number, under which the query is kept.
 
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::Query;
 use pointcore_contract::splat::config::index_bits;
 use pointcore_contract::width;
 
-use super::check::Check;
+use super::check::{Check, Searched};
 use crate::search::parts::sets::{decode, index_of, lowest};
 use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Memory, Module, Reg, address_width};
@@ -28,7 +27,7 @@ impl Tickets {
         let count = config.tickets();
         let bits = address_width(count);
         let taken = m.reg_reset("taken", count, 0);
-        let queries = m.memory("tickets", 1 << bits, width::<Query>(config));
+        let queries = m.memory("tickets", 1 << bits, width::<Searched>(config));
         let any = m.reg_reset("any_ticket", 1, 0);
         let next = m.reg("next_ticket", bits);
         let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1), 0);
@@ -41,14 +40,14 @@ impl Tickets {
     }
 
     /// The query of the ticket that a result bears; read where `enable` is set.
-    pub fn query(&self, m: &mut Module, config: &Config, enable: Expr, number: Expr) -> Query<Wires> {
+    pub fn query(&self, m: &mut Module, config: &Config, enable: Expr, number: Expr) -> Searched<Wires> {
         let query = m.read_if(self.queries, "ticket_query", enable, number.trunc(self.next.width()));
-        Query::unpack(config, query)
+        Searched::unpack(config, query)
     }
 
     /// The next ticket is given to a query that misses; the one that a result bears comes back where `returns` is set.
     pub fn update(self, m: &mut Module, config: &Config, check: &Check, returns: Expr, number: Expr) {
-        m.write(self.queries, check.misses, self.next, check.query.pack(config));
+        m.write(self.queries, check.misses, self.next, check.searched.pack(config));
         let (count, bits) = (self.taken.width(), self.next.width());
         let lowest = m.wire("lowest_ticket", lowest(!self.taken));
         let takes = m.wire("takes_ticket", !self.any | check.misses);
