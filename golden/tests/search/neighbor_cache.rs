@@ -257,3 +257,58 @@ fn balls_hold_all_that_lies_within() {
     println!("{hits} covered, {partial} of them with points beyond the radius; {kept} neighbors");
     assert!(hits > 500 && partial > 100 && kept > 5000);
 }
+
+/// Points on a wavy surface, at random within the cells of a lattice.
+fn surface(side: u32, random: &mut Rng) -> Vec<[f32; 3]> {
+    let mut place = |cell: u32| (cell as f32 + random.f32()) / side as f32;
+    let mut point = |cell: u32| {
+        let [x, y] = [place(cell % side), place(cell / side)];
+        [x, y, 0.1 * (5.0 * x).sin()]
+    };
+    (0..side * side).map(&mut point).collect()
+}
+
+/// Queries that come together save about as many searches as queries each of which waits for the answer to the one before it:
+/// while a neighborhood is searched for, those that it will cover are not.
+#[test]
+fn queries_side_by_side_are_not_searched_for_together() {
+    const K: u32 = 16;
+    const SIDE: u32 = 30;
+    const PATTERN: u32 = 6;
+    let mut random = Rng::with_seed(first_seed());
+    let config = Config { threads: 16, neighbors: K + 1, neighbor_cache: 8, tree_depth: 6, ..Config::default() };
+    let points = surface(SIDE, &mut random);
+    let mut in_tree = points.clone();
+    let tree = build(&config, &mut in_tree, &mut random);
+    let step = 1.0 / (SIDE * PATTERN) as f32;
+    let around = |point: &[f32; 3]| {
+        let [x, y, z] = *point;
+        (0..PATTERN * PATTERN).map(move |cell| {
+            let (row, place) = (cell / PATTERN, cell % PATTERN);
+            let column = if row.is_multiple_of(2) { place } else { PATTERN - 1 - place };
+            [x + column as f32 * step, y + row as f32 * step, z]
+        })
+    };
+    let query = |(number, place): (usize, [f32; 3])| {
+        let point = place.map(|coordinate| encode(config.geometry, coordinate));
+        let radius2 = config.geometry.infinity() as u32;
+        CachedQuery::from(Query { number: number as u32, k: K as u8 + 1, radius2, point })
+    };
+    let queries: Vec<_> = points.iter().take(40).flat_map(around).enumerate().map(query).collect();
+
+    let cache = CacheLatencies { check: 25, cover: 37 };
+    let latencies = Latencies { path: 9, distance: 15, neighbor_cache: Some(cache) };
+    let saved_in_bursts_of = |burst: usize| {
+        let surroundings = Surroundings { latency: 40, pauses: 0 };
+        let mut bench = Bench::new(&config, latencies, &tree, surroundings, 1);
+        bench.set_up(for_nearest(config.geometry, 0.2));
+        for queries in queries.chunks(burst) {
+            bench.search(queries);
+            bench.idle(u64::from(cache.cover) + 10);
+        }
+        bench.neighbor_hits as f64 / queries.len() as f64
+    };
+    let [alone, together] = [1, queries.len()].map(saved_in_bursts_of);
+    println!("{alone:.3} saved one after the other, {together:.3} together");
+    assert!(alone > 0.5 && together > 0.8 * alone, "{together} saved of {alone}");
+}

@@ -1,3 +1,5 @@
+mod together;
+
 use super::*;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
