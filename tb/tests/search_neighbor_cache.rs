@@ -15,7 +15,7 @@ use crate::search::memory::Memory;
 use crate::search::{all, lockstep, number, word};
 
 /// Queries of a phase; between phases settings and points change.
-const QUERIES: usize = 50;
+const QUERIES: usize = 100;
 /// How much farther than a ball query asks its neighborhood reaches.
 const EXTENSION: f32 = 1.3;
 
@@ -40,6 +40,9 @@ const PHASES: [(Mode, bool); 5] = [
     (Mode::Ball, false),
     (Mode::NearestWithin(0.75), true),
 ];
+
+/// Most cycles between the queries of each phase: with none, many wait for one neighborhood.
+const PAUSES: [u32; PHASES.len()] = [100, 0, 20, 0, 100];
 
 /// Index and squared distance of a neighbor.
 type Neighbor = (u64, f32);
@@ -67,6 +70,8 @@ struct Surroundings {
     places: Vec<Point>,
     /// The k that the host sends.
     wanted: usize,
+    /// Most cycles between queries.
+    pause: u32,
     queries: Vec<Query>,
     closed: usize,
     searches: Memory,
@@ -121,6 +126,7 @@ impl Surroundings {
             clouds: vec![],
             places: vec![],
             wanted: 0,
+            pause: 0,
             queries: vec![],
             closed: 0,
             searches: Memory::default(),
@@ -136,6 +142,7 @@ impl Surroundings {
     /// Changes to the next phase.
     fn set_up(&mut self, feeds: &mut Feeds) {
         let Some(&(mode, many)) = PHASES.get(self.clouds.len()) else { return };
+        self.pause = PAUSES[self.clouds.len()];
         let neighbors = self.config.neighbors as usize;
         let count = if many { 40 } else { feeds.random.usize(..neighbors) };
         self.clouds.push((0..count).map(|_| random_point(&mut feeds.random, 1.0)).collect());
@@ -159,7 +166,9 @@ impl Surroundings {
         let random = &mut feeds.random;
         let size = [0.0, 0.001, 0.02, 0.2][random.usize(..4)];
         let step = random_point(random, size);
-        let place = random.usize(..self.places.len());
+        // Without pauses so many come from a place that not all of them find room to wait.
+        let places = if self.pause == 0 { self.places.len().min(2) } else { self.places.len() };
+        let place = random.usize(..places);
         let point: Point = std::array::from_fn(|axis| held(&self.config, self.places[place][axis] + step[axis]));
         self.places[place] = point;
         let (radius2, reach) = match self.mode() {
@@ -174,7 +183,7 @@ impl Surroundings {
         let mut item = vec![self.queries.len() as u64, self.wanted as u64, word(radius2)];
         item.extend(point.map(word));
         item.push(word(reach));
-        let pause = [0, 10, 100][feeds.random.usize(..3)];
+        let pause = feeds.random.u32(..=self.pause);
         feeds.feed_after(pause, "query", item);
         let phase = self.clouds.len() - 1;
         let wanted = self.wanted;
@@ -206,7 +215,7 @@ impl Rule for Surroundings {
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "setup" => {
-                let under_way = [1, 2, 5, 20][feeds.random.usize(..4)];
+                let under_way = [1, 5, 20, QUERIES][feeds.random.usize(..4)];
                 (0..under_way).for_each(|_| self.ask(feeds));
             }
             "search" => {
@@ -272,14 +281,15 @@ fn check(config: &Config, cloud: &[Point], query: &Query, seen: &mut Seen) {
     }
 }
 
-/// One entry, fewer than a power of two, and as many as the thesis has.
-fn configs() -> [Config; 3] {
+/// One entry, fewer than a power of two, as many as the thesis has, and so many that queries wait to be compared.
+fn configs() -> [Config; 4] {
     let base =
         Config { geometry: Format::F32.flushed(), index_bits: 10, tree_depth: 4, bucket: 8, ..Config::default() };
     [
         Config { neighbor_cache: 1, threads: 1, neighbors: 2, ..base.clone() },
         Config { neighbor_cache: 3, threads: 3, neighbors: 8, geometry: Format::F24.flushed(), ..base.clone() },
-        Config { neighbor_cache: 8, threads: 16, neighbors: 5, ..base },
+        Config { neighbor_cache: 8, threads: 16, neighbors: 5, ..base.clone() },
+        Config { neighbor_cache: 32, threads: 2, neighbors: 3, ..base },
     ]
 }
 
