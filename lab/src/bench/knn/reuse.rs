@@ -1,7 +1,7 @@
 //! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
 
 use super::page::{KnnLine, KnnPage};
-use super::{Cloud, FOUR_LANES, Setting, search};
+use super::{Cloud, FOUR_LANES, Setting, THREADS, search};
 use crate::note;
 use crate::{Figures, LabError};
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
@@ -13,18 +13,30 @@ const NEIGHBORS: u32 = 30;
 const BALL_NEIGHBORS: u32 = 64;
 /// Points that are sampled up.
 const PATCHES: usize = 512;
-/// Neighborhoods that the cache holds, and runs of queries that take turns so that as many searches may be under way.
-const ENTRIES: usize = 32;
-/// The thesis' eight.
-const FEW_ENTRIES: usize = 8;
-/// Results leave one a cycle, which eight threads keep up with; more would only search for what the cache is about to know.
-const THREADS: u32 = 8;
+/// The caches that are measured: the thesis' eight neighborhoods with its sixteen threads, queries asked patch by patch; and one
+/// large enough that as many runs of queries take turns, so that those of one patch are not under way together. Results leave one a
+/// cycle, which eight threads keep up with there.
+const CACHES: [Cache; 2] = [
+    Cache { entries: 32, threads: 8, runs: 32, key: "" },
+    Cache { entries: 8, threads: THREADS, runs: 1, key: ".entries8" },
+];
 /// How much larger balls are searched.
 const ALPHA: f32 = 1.5;
 /// Up-sampling patterns.
 const SIDES: [u32; 3] = [2, 4, 8];
 /// Tolerances with their names in keys.
 const EPSILONS: [(f32, &str); 4] = [(0.0, "e0"), (0.1, "e0_1"), (0.2, "e0_2"), (0.5, "e0_5")];
+
+/// A neighbor cache and how it is asked.
+#[derive(Clone, Copy)]
+struct Cache {
+    entries: u32,
+    threads: u32,
+    /// Runs of queries that take turns.
+    runs: usize,
+    /// What tells it apart in keys.
+    key: &'static str,
+}
 
 /// What a run with the cache brought.
 struct Saved {
@@ -46,11 +58,12 @@ fn queries(cloud: &Cloud, side: u32, k: u32, radii: Option<&[f32]>) -> Vec<Query
     queries
 }
 
-fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result<Saved, LabError> {
+fn run(cloud: &Cloud, queries: &[Query], cache: Cache, reuse: Reuse) -> Result<Saved, LabError> {
     let searched = queries.first().map_or(0, |query| query.k + u32::from(query.radius.is_none()));
     let config = FOUR_LANES.config(cloud.points.points().len(), searched);
-    let config = Config { neighbor_cache: entries as u32, threads: THREADS, ..config };
-    let setting = Setting { reuse, runs: entries, ..Setting::golden(&config, FOUR_LANES.splitting) };
+    let Cache { entries, threads, runs, .. } = cache;
+    let config = Config { neighbor_cache: entries, threads, ..config };
+    let setting = Setting { reuse, runs, ..Setting::golden(&config, FOUR_LANES.splitting) };
     let found = search(cloud, setting, queries)?;
     let checked =
         check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(LabError::Neighbors)?;
@@ -66,14 +79,14 @@ fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result
 fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let queries = queries(cloud, 8, NEIGHBORS, None);
     let mut lines = Vec::new();
-    for entries in [ENTRIES, FEW_ENTRIES] {
+    for cache in CACHES {
+        let Cache { entries, key: which, .. } = cache;
         let mut line = KnnLine::new(&format!("{entries} entries"));
         for (epsilon, name) in EPSILONS {
             note!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
-            let found = run(cloud, &queries, entries, Reuse { epsilon, ..Reuse::default() })?;
-            let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };
+            let found = run(cloud, &queries, cache, Reuse { epsilon, ..Reuse::default() })?;
             let mut insert =
-                |key: &str, value: f64| figures.insert(format!("knn.aknn{fewer}.{name}.{key}"), value.into());
+                |key: &str, value: f64| figures.insert(format!("knn.aknn{which}.{name}.{key}"), value.into());
             insert("saved", found.saved);
             insert("max_error_ratio", found.worst_ratio);
             insert("cycles_per_query", found.cycles_per_query);
@@ -98,14 +111,14 @@ fn radii(cloud: &Cloud) -> Result<Vec<f32>, LabError> {
 fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let radii = radii(cloud)?;
     let mut lines = Vec::new();
-    for entries in [ENTRIES, FEW_ENTRIES] {
+    for cache in CACHES {
+        let Cache { entries, key: which, .. } = cache;
         let mut line = KnnLine::new(&format!("{entries} entries"));
         for side in SIDES {
             note!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
             let reuse = Reuse { epsilon: 0.0, alpha: ALPHA };
-            let found = run(cloud, &queries(cloud, side, BALL_NEIGHBORS, Some(&radii)), entries, reuse)?;
-            let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };
-            figures.insert(format!("knn.ball{fewer}.{side}x{side}.saved"), found.saved.into());
+            let found = run(cloud, &queries(cloud, side, BALL_NEIGHBORS, Some(&radii)), cache, reuse)?;
+            figures.insert(format!("knn.ball{which}.{side}x{side}.saved"), found.saved.into());
             line.push(found.saved);
         }
         lines.push(line);
