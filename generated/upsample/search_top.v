@@ -152,9 +152,6 @@ module search_top (
         .result_valid(result_valid), .result_ready(result_ready), .result_number(result_number),
         .result_last(result_last), .result_found(result_found), .result_index(result_index),
         .result_distance2(result_distance2), .result_cached(result_cached),
-        .query_valid(query_valid), .query_ready(query_ready), .query_number(query_number), .query_k(query_k),
-        .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y), .query_z(query_z),
-        .query_reach(query_reach),
         .search_valid(neighbor_cache_search_valid), .search_ready(threads_query_ready),
         .search_number(neighbor_cache_search_number), .search_k(neighbor_cache_search_k),
         .search_radius2(neighbor_cache_search_radius2), .search_x(neighbor_cache_search_x),
@@ -162,7 +159,10 @@ module search_top (
         .event_cache_hit(event_cache_hit), .event_cache_miss(event_cache_miss),
         .found_valid(queue_result_valid), .found_ready(neighbor_cache_found_ready),
         .found_number(queue_result_number), .found_last(queue_result_last), .found_found(queue_result_found),
-        .found_index(queue_result_index), .found_distance2(queue_result_distance2)
+        .found_index(queue_result_index), .found_distance2(queue_result_distance2),
+        .query_valid(query_valid), .query_ready(query_ready), .query_number(query_number), .query_k(query_k),
+        .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y), .query_z(query_z),
+        .query_reach(query_reach)
     );
 
     search_threads threads (
@@ -3527,14 +3527,6 @@ module search_neighbor_cache (
     output wire [23:0] result_index,  // The neighbor's place in the point memory.
     output wire [31:0] result_distance2,  // Its squared distance.
     output wire result_cached,  // With a neighbor cache, its squared distance is that to the query whose neighborhood is reused.
-    input  wire query_valid, output wire query_ready,  // Queries.
-    input  wire [23:0] query_number,  // Its number, which its results bear.
-    input  wire [5:0] query_k,  // Neighbors wanted.
-    input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
-    input  wire [31:0] query_x,  // Where.
-    input  wire [31:0] query_y,  // Where.
-    input  wire [31:0] query_z,  // Where.
-    input  wire [31:0] query_reach,  // With a neighbor cache, the radius around it within which a neighborhood must be complete to cover it: 0 for k nearest neighbors, the radius of a ball query.
     output wire search_valid, input wire search_ready,  // Queries that no neighborhood covers, with their tickets for numbers.
     output wire [23:0] search_number,  // Its number, which its results bear.
     output wire [5:0] search_k,  // Neighbors wanted.
@@ -3549,10 +3541,18 @@ module search_neighbor_cache (
     input  wire found_last,  // Closes the query.
     input  wire found_found,  // Low for a query without any neighbor.
     input  wire [23:0] found_index,  // The neighbor's place in the point memory.
-    input  wire [31:0] found_distance2  // Its squared distance.
+    input  wire [31:0] found_distance2,  // Its squared distance.
+    input  wire query_valid, output wire query_ready,  // Queries.
+    input  wire [23:0] query_number,  // Its number, which its results bear.
+    input  wire [5:0] query_k,  // Neighbors wanted.
+    input  wire [31:0] query_radius2,  // Squared radius within which neighbors count.
+    input  wire [31:0] query_x,  // Where.
+    input  wire [31:0] query_y,  // Where.
+    input  wire [31:0] query_z,  // Where.
+    input  wire [31:0] query_reach  // With a neighbor cache, the radius around it within which a neighborhood must be complete to cover it: 0 for k nearest neighbors, the radius of a ball query.
 );
     (* ram_style = "distributed" *)
-    reg [157:0] asked [0:7];
+    reg [162:0] asked [0:7];
     reg ball;  // Queries are balls, else k nearest neighbors.
     reg [31:0] far_scale;  // Factor of the distance to the farthest neighbor.
     reg [31:0] margin_scale;  // Factor of what is left of it.
@@ -3585,9 +3585,11 @@ module search_neighbor_cache (
     reg j_valid, j_matches;
     reg [2:0] j_entry;  // The entry.
     reg j_last;  // It is the query's last.
+    reg j_reusable;
+    reg [31:0] j_margin;
     reg answered, copying;
     reg [2:0] copy_entry;
-    wire [157:0] ticket_query;
+    wire [162:0] ticket_query;
     reg [5:0] copy_rank;
     reg [31:0] copy_previous;
     reg reach_valid;
@@ -3597,6 +3599,8 @@ module search_neighbor_cache (
     reg [31:0] reach_z;  // Where its query is.
     reg [31:0] reach_far2;  // Within this squared distance all points are known.
     reg [31:0] reach_near2;  // Within this one lie all that are wanted.
+    reg reach_leads;  // Others may wait for it.
+    reg [3:0] reach_leader;  // Its number among the leaders.
     reg d0_valid;
     reg [2:0] d0_entry;  // The entry that holds the neighbors.
     reg [23:0] d0_number;  // The query's number.
@@ -3609,17 +3613,48 @@ module search_neighbor_cache (
     reg d1_found;  // There is a neighbor.
     reg d1_cached;  // The neighborhood is reused.
     wire [55:0] neighbor;
+    reg [31:0] waits, follower_ready, due;
+    reg [3:0] follows_0, follows_1, follows_2, follows_3, follows_4, follows_5, follows_6, follows_7, follows_8;
+    reg [3:0] follows_9, follows_10, follows_11, follows_12, follows_13, follows_14, follows_15, follows_16;
+    reg [3:0] follows_17, follows_18, follows_19, follows_20, follows_21, follows_22, follows_23, follows_24;
+    reg [3:0] follows_25, follows_26, follows_27, follows_28, follows_29, follows_30, follows_31;
+    reg has_next;
+    wire [189:0] next;
+    reg [1:0] lead_step;
+    reg grid_known;
+    reg [7:0] grid_unit;
+    reg [4:0] grid_limit;
+    reg [15:0] unfinished, comparable;
+    reg [11:0] leader_0_x, leader_0_y, leader_0_z, leader_1_x, leader_1_y, leader_1_z, leader_2_x, leader_2_y;
+    reg [11:0] leader_2_z, leader_3_x, leader_3_y, leader_3_z, leader_4_x, leader_4_y, leader_4_z, leader_5_x;
+    reg [11:0] leader_5_y, leader_5_z, leader_6_x, leader_6_y, leader_6_z, leader_7_x, leader_7_y, leader_7_z;
+    reg [11:0] leader_8_x, leader_8_y, leader_8_z, leader_9_x, leader_9_y, leader_9_z, leader_10_x, leader_10_y;
+    reg [11:0] leader_10_z, leader_11_x, leader_11_y, leader_11_z, leader_12_x, leader_12_y, leader_12_z;
+    reg [11:0] leader_13_x, leader_13_y, leader_13_z, leader_14_x, leader_14_y, leader_14_z, leader_15_x;
+    reg [11:0] leader_15_y, leader_15_z;
+    reg aligned;
+    reg [5:0] lead_x_amount;
+    reg lead_x_inside;
+    reg [11:0] lead_x_place;
+    reg [5:0] lead_y_amount;
+    reg lead_y_inside;
+    reg [11:0] lead_y_place;
+    reg [5:0] lead_z_amount;
+    reg lead_z_inside;
+    reg [11:0] lead_z_place;
+    reg [15:0] near;
 
     wire deliver_queue_in_ready, deliver_queue_out_valid;
     wire [27:0] deliver_queue_out_data;
     wire result_queue_in_ready;
     wire [82:0] result_queue_out_data;
-    wire query_queue_out_valid;
-    wire [189:0] query_queue_out_data;
+    wire asks_in_ready, asks_out_valid;
+    wire [194:0] asks_out_data;
     wire check_in_ready, check_out_valid;
     wire [2:0] check_out_entry;
     wire check_out_last, check_out_present;
     wire [7:0] check_out_version;
+    wire [31:0] check_out_margin;
     wire check_out_covered, search_queue_in_ready;
     wire [157:0] search_queue_out_data;
     wire found_queue_out_valid;
@@ -3627,11 +3662,15 @@ module search_neighbor_cache (
     wire judge_in_ready, judge_out_valid;
     wire [2:0] judge_out_entry;
     wire [31:0] judge_out_x, judge_out_y, judge_out_z, judge_out_c;
+    wire judge_out_leads;
+    wire [3:0] judge_out_leader;
+    wire query_queue_out_valid;
+    wire [189:0] query_queue_out_data;
 
     wire i_advance = ~i1_valid | check_in_ready;
     wire first_entry = next_entry == 3'd0;
     wire admits = ~(asked_count == 4'd8) & (under_way < 5'd20);
-    wire issues = query_queue_out_valid & i_advance & (~first_entry | admits);
+    wire issues = asks_out_valid & i_advance & (~first_entry | admits);
     wire found_queue_out_last = found_queue_out_data[57];
     wire open = j_valid & ~answered;
     wire j_given_away = copying & (j_entry == copy_entry);
@@ -3646,22 +3685,43 @@ module search_neighbor_cache (
     wire d0_reads = d0_valid & d_advance;
     wire copy_ends = copy_takes & found_queue_out_last;
     wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
-    wire copy_full_same = (copy_rank + 6'd1) == ticket_query[133:128];
-    wire copy_full = found_queue_out_found ? copy_full_same : (copy_rank == ticket_query[133:128]);
+    wire reach_near2_same = (copy_rank + 6'd1) == ticket_query[138:133];
+    wire copy_full = found_queue_out_found ? reach_near2_same : (copy_rank == ticket_query[138:133]);
     wire deliver_queue_out_ready = ~d0_valid;
     wire d0_takes = deliver_queue_out_ready & deliver_queue_out_valid;
     wire [2:0] deliver_queue_out_entry = deliver_queue_out_data[27:25];
     wire miss = open & (j_last & ~hit);
     wire misses = miss & search_queue_in_ready;
-    wire [157:0] asked_head = asked[asked_read_address];
+    wire [162:0] asked_head = asked[asked_read_address];
     wire [7:0] eligible_bits = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
     wire [7:0] eligible = ~(eligible_bits | writing);
     wire copy_starts = found_queue_out_valid & ~copying & (|eligible & ~hits);
     wire [23:0] found_queue_out_number = found_queue_out_data[81:58];
+    wire leads_both = query_queue_out_valid & (lead_step == 2'd3);
+    wire [15:0] candidates = near & unfinished;
+    wire follows = leads_both & (|candidates & ~(&waits));
+    wire [31:0] free_follower = ~waits & (32'd0 - ~waits);
+    wire next_taken = ~has_next | asks_in_ready;
+    wire reads_follower = next_taken & |due;
+    wire [31:0] first_due = due & (32'd0 - due);
+    wire leads = leads_both & (~(|candidates) & (asks_in_ready & ~has_next));
+    wire [23:0] query_queue_out_number = query_queue_out_data[189:166];
+    wire [5:0] query_queue_out_k = query_queue_out_data[165:160];
+    wire [31:0] query_queue_out_radius2 = query_queue_out_data[159:128];
+    wire [31:0] query_queue_out_x = query_queue_out_data[127:96];
+    wire [31:0] query_queue_out_y = query_queue_out_data[95:64];
+    wire [31:0] query_queue_out_z = query_queue_out_data[63:32];
+    wire [31:0] query_queue_out_reach = query_queue_out_data[31:0];
+    wire [15:0] free_leader = ~unfinished & (16'd0 - ~unfinished);
+    wire [3:0] asks_in_data_bits = {
+        |(free_leader & 16'hff00), |(free_leader & 16'hf0f0), |(free_leader & 16'hcccc),
+        |(free_leader & 16'haaaa)
+    };
     wire last_entry = next_entry == 3'd7;
-    wire query_queue_out_ready = issues & last_entry;
+    wire asks_out_ready = issues & last_entry;
     wire leaves = j_valid & ~((hit & ~hits) | (miss & ~misses));
     wire j_advance = ~j_valid | leaves;
+    wire query_taken = follows | leads;
     wire [7:0] before_7 = eligible & {1'd0, older_than_7};
     wire [7:0] before_6 = eligible & {~older_than_7[6], 1'd0, older_than_6};
     wire [7:0] before_5 = eligible & {~older_than_7[5], ~older_than_6[5], 1'd0, older_than_5};
@@ -3744,23 +3804,309 @@ module search_neighbor_cache (
     wire [7:0] present_shifted_by_next_entry = present >> next_entry;
     wire [7:0] i1_version_choice = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
     wire [7:0] i1_version_choice_2 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
-    wire [31:0] query_queue_out_x = query_queue_out_data[127:96];
-    wire [31:0] query_queue_out_y = query_queue_out_data[95:64];
-    wire [31:0] query_queue_out_z = query_queue_out_data[63:32];
-    wire [31:0] query_queue_out_reach = query_queue_out_data[31:0];
-    wire [7:0] matched_shifted = present >> check_out_entry;
-    wire [7:0] matched_choice = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
-    wire [7:0] matched_choice_2 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
-    wire matched_same = check_out_version == (check_out_entry[2] ? matched_choice : matched_choice_2);
-    wire matched = check_out_covered & (check_out_present & matched_shifted[0] & matched_same);
+    wire [31:0] asks_out_x = asks_out_data[132:101];
+    wire [31:0] asks_out_y = asks_out_data[100:69];
+    wire [31:0] asks_out_z = asks_out_data[68:37];
+    wire [31:0] asks_out_reach = asks_out_data[36:5];
+    wire [7:0] reusable_shifted = present >> check_out_entry;
+    wire [7:0] reusable_choice = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
+    wire [7:0] reusable_choice_2 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
+    wire reusable_same = check_out_version == (check_out_entry[2] ? reusable_choice : reusable_choice_2);
+    wire reusable = check_out_present & reusable_shifted[0] & reusable_same;
+    wire matched = check_out_covered & reusable;
     wire copy_starts_or_copy_stores = copy_starts | copy_stores;
     wire [31:0] found_queue_out_distance2 = found_queue_out_data[31:0];
-    wire reach_near2_choice = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[133:128]) : copy_full_same;
+    wire reach_near2_choice = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[138:133]) : reach_near2_same;
     wire [31:0] reach_near2_choice_2 = found_queue_out_found ? found_queue_out_distance2 : copy_previous;
-    wire [31:0] reach_near2_choice_3 = copy_full ? copy_previous : reach_near2_choice ? reach_near2_choice_2 : ticket_query[127:96];
+    wire [31:0] reach_near2_choice_3 = reach_near2_choice ? reach_near2_choice_2 : ticket_query[132:101];
     wire [23:0] deliver_queue_out_number = deliver_queue_out_data[24:1];
     wire deliver_queue_out_cached = deliver_queue_out_data[0];
     wire d0_takes_or_d0_reads = d0_takes | d0_reads;
+    wire [31:0] follower_read = first_due & {32{next_taken}};
+    wire [31:0] follower_enters = free_follower & {32{follows}};
+    wire [31:0] follower_ready_bits = {32{|due}};
+    wire hits_and_asked_head_4 = hits & asked_head[4];
+    wire finished_leaders_both = judge_out_valid & judge_out_leads;
+    wire becomes_ready_either = (hits_and_asked_head_4 & (asked_head[3:0] == follows_31)) | (finished_leaders_both & (judge_out_leader == follows_31));
+    wire becomes_ready_either_2 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_30)) | (finished_leaders_both & (judge_out_leader == follows_30));
+    wire becomes_ready_either_3 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_29)) | (finished_leaders_both & (judge_out_leader == follows_29));
+    wire becomes_ready_either_4 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_28)) | (finished_leaders_both & (judge_out_leader == follows_28));
+    wire becomes_ready_either_5 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_27)) | (finished_leaders_both & (judge_out_leader == follows_27));
+    wire becomes_ready_either_6 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_26)) | (finished_leaders_both & (judge_out_leader == follows_26));
+    wire becomes_ready_either_7 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_25)) | (finished_leaders_both & (judge_out_leader == follows_25));
+    wire becomes_ready_either_8 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_24)) | (finished_leaders_both & (judge_out_leader == follows_24));
+    wire becomes_ready_either_9 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_23)) | (finished_leaders_both & (judge_out_leader == follows_23));
+    wire becomes_ready_either_10 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_22)) | (finished_leaders_both & (judge_out_leader == follows_22));
+    wire becomes_ready_either_11 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_21)) | (finished_leaders_both & (judge_out_leader == follows_21));
+    wire becomes_ready_either_12 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_20)) | (finished_leaders_both & (judge_out_leader == follows_20));
+    wire becomes_ready_either_13 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_19)) | (finished_leaders_both & (judge_out_leader == follows_19));
+    wire becomes_ready_either_14 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_18)) | (finished_leaders_both & (judge_out_leader == follows_18));
+    wire becomes_ready_either_15 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_17)) | (finished_leaders_both & (judge_out_leader == follows_17));
+    wire becomes_ready_either_16 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_16)) | (finished_leaders_both & (judge_out_leader == follows_16));
+    wire becomes_ready_either_17 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_15)) | (finished_leaders_both & (judge_out_leader == follows_15));
+    wire becomes_ready_either_18 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_14)) | (finished_leaders_both & (judge_out_leader == follows_14));
+    wire becomes_ready_either_19 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_13)) | (finished_leaders_both & (judge_out_leader == follows_13));
+    wire becomes_ready_either_20 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_12)) | (finished_leaders_both & (judge_out_leader == follows_12));
+    wire becomes_ready_either_21 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_11)) | (finished_leaders_both & (judge_out_leader == follows_11));
+    wire becomes_ready_either_22 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_10)) | (finished_leaders_both & (judge_out_leader == follows_10));
+    wire becomes_ready_either_23 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_9)) | (finished_leaders_both & (judge_out_leader == follows_9));
+    wire becomes_ready_either_24 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_8)) | (finished_leaders_both & (judge_out_leader == follows_8));
+    wire becomes_ready_either_25 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_7)) | (finished_leaders_both & (judge_out_leader == follows_7));
+    wire becomes_ready_either_26 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_6)) | (finished_leaders_both & (judge_out_leader == follows_6));
+    wire becomes_ready_either_27 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_5)) | (finished_leaders_both & (judge_out_leader == follows_5));
+    wire becomes_ready_either_28 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_4)) | (finished_leaders_both & (judge_out_leader == follows_4));
+    wire becomes_ready_either_29 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_3)) | (finished_leaders_both & (judge_out_leader == follows_3));
+    wire becomes_ready_either_30 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_2)) | (finished_leaders_both & (judge_out_leader == follows_2));
+    wire becomes_ready_either_31 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_1)) | (finished_leaders_both & (judge_out_leader == follows_1));
+    wire becomes_ready_either_32 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_0)) | (finished_leaders_both & (judge_out_leader == follows_0));
+    wire [31:0] becomes_ready_bits = {
+        becomes_ready_either, becomes_ready_either_2, becomes_ready_either_3, becomes_ready_either_4,
+        becomes_ready_either_5, becomes_ready_either_6, becomes_ready_either_7, becomes_ready_either_8,
+        becomes_ready_either_9, becomes_ready_either_10, becomes_ready_either_11, becomes_ready_either_12,
+        becomes_ready_either_13, becomes_ready_either_14, becomes_ready_either_15, becomes_ready_either_16,
+        becomes_ready_either_17, becomes_ready_either_18, becomes_ready_either_19, becomes_ready_either_20,
+        becomes_ready_either_21, becomes_ready_either_22, becomes_ready_either_23, becomes_ready_either_24,
+        becomes_ready_either_25, becomes_ready_either_26, becomes_ready_either_27, becomes_ready_either_28,
+        becomes_ready_either_29, becomes_ready_either_30, becomes_ready_either_31, becomes_ready_either_32
+    };
+    wire [15:0] followed_both = candidates & (16'd0 - candidates);
+    wire [3:0] followed = {
+        |(followed_both & 16'hff00), |(followed_both & 16'hf0f0), |(followed_both & 16'hcccc),
+        |(followed_both & 16'haaaa)
+    };
+    wire becomes_ready_either_33 = (hits_and_asked_head_4 & (asked_head[3:0] == followed)) | (finished_leaders_both & (judge_out_leader == followed));
+    wire [31:0] becomes_ready = (waits & ~(follower_ready | due) & becomes_ready_bits) | (follower_enters & {32{becomes_ready_either_33}});
+    wire grid_follows_both = ~j_margin[31] & ((8'd4 <= j_margin[30:23]) & (j_margin[30:23] < 8'd255));
+    wire grid_follows = leaves & j_reusable & grid_follows_both;
+    wire [8:0] margin_above_unit = {1'd0, j_margin[30:23]} - {1'd0, grid_unit};
+    wire grid_limit_both = grid_known & (margin_above_unit == 9'd2);
+    wire grid_limit_both_2 = grid_known & (margin_above_unit == 9'd4);
+    wire grid_moves_either = (grid_known & (margin_above_unit == 9'd3)) | grid_limit_both | grid_limit_both_2;
+    wire grid_moves = grid_follows & ~grid_moves_either;
+    wire [4:0] grid_limit_choice = grid_limit_both ? {3'd1, j_margin[22:21]} : {2'd1, j_margin[22:20]};
+    wire [15:0] becomes_leader = free_leader & {16{leads}};
+    wire [15:0] finished_leaders_bits = {
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd15),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd14),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd13),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd12),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd11),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd10), hits_and_asked_head_4 & (asked_head[3:0] == 4'd9),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd8), hits_and_asked_head_4 & (asked_head[3:0] == 4'd7),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd6), hits_and_asked_head_4 & (asked_head[3:0] == 4'd5),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd4), hits_and_asked_head_4 & (asked_head[3:0] == 4'd3),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd2), hits_and_asked_head_4 & (asked_head[3:0] == 4'd1),
+        hits_and_asked_head_4 & (asked_head[3:0] == 4'd0)
+    };
+    wire [15:0] finished_leaders_bits_2 = {
+        finished_leaders_both & (judge_out_leader == 4'd15),
+        finished_leaders_both & (judge_out_leader == 4'd14),
+        finished_leaders_both & (judge_out_leader == 4'd13),
+        finished_leaders_both & (judge_out_leader == 4'd12),
+        finished_leaders_both & (judge_out_leader == 4'd11),
+        finished_leaders_both & (judge_out_leader == 4'd10),
+        finished_leaders_both & (judge_out_leader == 4'd9),
+        finished_leaders_both & (judge_out_leader == 4'd8),
+        finished_leaders_both & (judge_out_leader == 4'd7),
+        finished_leaders_both & (judge_out_leader == 4'd6),
+        finished_leaders_both & (judge_out_leader == 4'd5),
+        finished_leaders_both & (judge_out_leader == 4'd4),
+        finished_leaders_both & (judge_out_leader == 4'd3),
+        finished_leaders_both & (judge_out_leader == 4'd2),
+        finished_leaders_both & (judge_out_leader == 4'd1),
+        finished_leaders_both & (judge_out_leader == 4'd0)
+    };
+    wire [15:0] finished_leaders = finished_leaders_bits | finished_leaders_bits_2;
+    wire [15:0] comparable_either = (comparable & ~becomes_leader) | (becomes_leader & {16{aligned}});
+    wire lead_x_amount_enable_both = query_queue_out_valid & (lead_step == 2'd0);
+    wire [9:0] grid_unit_plus_34 = {2'd0, grid_unit} + 10'd34;
+    wire [9:0] lead_x_shift = grid_unit_plus_34 - {2'd0, query_queue_out_x[30:23]};
+    wire lead_x_place_enable_both = query_queue_out_valid & (lead_step == 2'd1);
+    wire [34:0] lead_x_place_shifted = {1'd1, query_queue_out_x[22:0], 11'd0} >> lead_x_amount;
+    wire [9:0] lead_y_shift = grid_unit_plus_34 - {2'd0, query_queue_out_y[30:23]};
+    wire [34:0] lead_y_place_shifted = {1'd1, query_queue_out_y[22:0], 11'd0} >> lead_y_amount;
+    wire [9:0] lead_z_shift = grid_unit_plus_34 - {2'd0, query_queue_out_z[30:23]};
+    wire [34:0] lead_z_place_shifted = {1'd1, query_queue_out_z[22:0], 11'd0} >> lead_z_amount;
+    wire [11:0] lead_x_place_minus_leader_15_x = lead_x_place - leader_15_x;
+    wire near_now_both = (lead_x_place_minus_leader_15_x[11:5] == 7'd0) & (lead_x_place_minus_leader_15_x[4:0] < grid_limit);
+    wire [4:0] near_now_difference = 5'd0 - grid_limit;
+    wire near_now_both_2 = &lead_x_place_minus_leader_15_x[11:5] & (near_now_difference < lead_x_place_minus_leader_15_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_15_y = lead_y_place - leader_15_y;
+    wire near_now_both_3 = (lead_y_place_minus_leader_15_y[11:5] == 7'd0) & (lead_y_place_minus_leader_15_y[4:0] < grid_limit);
+    wire near_now_both_4 = &lead_y_place_minus_leader_15_y[11:5] & (near_now_difference < lead_y_place_minus_leader_15_y[4:0]);
+    wire near_now_both_5 = (near_now_both | near_now_both_2) & (near_now_both_3 | near_now_both_4);
+    wire [11:0] lead_z_place_minus_leader_15_z = lead_z_place - leader_15_z;
+    wire near_now_both_6 = (lead_z_place_minus_leader_15_z[11:5] == 7'd0) & (lead_z_place_minus_leader_15_z[4:0] < grid_limit);
+    wire near_now_both_7 = &lead_z_place_minus_leader_15_z[11:5] & (near_now_difference < lead_z_place_minus_leader_15_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_14_x = lead_x_place - leader_14_x;
+    wire near_now_both_8 = (lead_x_place_minus_leader_14_x[11:5] == 7'd0) & (lead_x_place_minus_leader_14_x[4:0] < grid_limit);
+    wire near_now_both_9 = &lead_x_place_minus_leader_14_x[11:5] & (near_now_difference < lead_x_place_minus_leader_14_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_14_y = lead_y_place - leader_14_y;
+    wire near_now_both_10 = (lead_y_place_minus_leader_14_y[11:5] == 7'd0) & (lead_y_place_minus_leader_14_y[4:0] < grid_limit);
+    wire near_now_both_11 = &lead_y_place_minus_leader_14_y[11:5] & (near_now_difference < lead_y_place_minus_leader_14_y[4:0]);
+    wire near_now_both_12 = (near_now_both_8 | near_now_both_9) & (near_now_both_10 | near_now_both_11);
+    wire [11:0] lead_z_place_minus_leader_14_z = lead_z_place - leader_14_z;
+    wire near_now_both_13 = (lead_z_place_minus_leader_14_z[11:5] == 7'd0) & (lead_z_place_minus_leader_14_z[4:0] < grid_limit);
+    wire near_now_both_14 = &lead_z_place_minus_leader_14_z[11:5] & (near_now_difference < lead_z_place_minus_leader_14_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_13_x = lead_x_place - leader_13_x;
+    wire near_now_both_15 = (lead_x_place_minus_leader_13_x[11:5] == 7'd0) & (lead_x_place_minus_leader_13_x[4:0] < grid_limit);
+    wire near_now_both_16 = &lead_x_place_minus_leader_13_x[11:5] & (near_now_difference < lead_x_place_minus_leader_13_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_13_y = lead_y_place - leader_13_y;
+    wire near_now_both_17 = (lead_y_place_minus_leader_13_y[11:5] == 7'd0) & (lead_y_place_minus_leader_13_y[4:0] < grid_limit);
+    wire near_now_both_18 = &lead_y_place_minus_leader_13_y[11:5] & (near_now_difference < lead_y_place_minus_leader_13_y[4:0]);
+    wire near_now_both_19 = (near_now_both_15 | near_now_both_16) & (near_now_both_17 | near_now_both_18);
+    wire [11:0] lead_z_place_minus_leader_13_z = lead_z_place - leader_13_z;
+    wire near_now_both_20 = (lead_z_place_minus_leader_13_z[11:5] == 7'd0) & (lead_z_place_minus_leader_13_z[4:0] < grid_limit);
+    wire near_now_both_21 = &lead_z_place_minus_leader_13_z[11:5] & (near_now_difference < lead_z_place_minus_leader_13_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_12_x = lead_x_place - leader_12_x;
+    wire near_now_both_22 = (lead_x_place_minus_leader_12_x[11:5] == 7'd0) & (lead_x_place_minus_leader_12_x[4:0] < grid_limit);
+    wire near_now_both_23 = &lead_x_place_minus_leader_12_x[11:5] & (near_now_difference < lead_x_place_minus_leader_12_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_12_y = lead_y_place - leader_12_y;
+    wire near_now_both_24 = (lead_y_place_minus_leader_12_y[11:5] == 7'd0) & (lead_y_place_minus_leader_12_y[4:0] < grid_limit);
+    wire near_now_both_25 = &lead_y_place_minus_leader_12_y[11:5] & (near_now_difference < lead_y_place_minus_leader_12_y[4:0]);
+    wire near_now_both_26 = (near_now_both_22 | near_now_both_23) & (near_now_both_24 | near_now_both_25);
+    wire [11:0] lead_z_place_minus_leader_12_z = lead_z_place - leader_12_z;
+    wire near_now_both_27 = (lead_z_place_minus_leader_12_z[11:5] == 7'd0) & (lead_z_place_minus_leader_12_z[4:0] < grid_limit);
+    wire near_now_both_28 = &lead_z_place_minus_leader_12_z[11:5] & (near_now_difference < lead_z_place_minus_leader_12_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_11_x = lead_x_place - leader_11_x;
+    wire near_now_both_29 = (lead_x_place_minus_leader_11_x[11:5] == 7'd0) & (lead_x_place_minus_leader_11_x[4:0] < grid_limit);
+    wire near_now_both_30 = &lead_x_place_minus_leader_11_x[11:5] & (near_now_difference < lead_x_place_minus_leader_11_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_11_y = lead_y_place - leader_11_y;
+    wire near_now_both_31 = (lead_y_place_minus_leader_11_y[11:5] == 7'd0) & (lead_y_place_minus_leader_11_y[4:0] < grid_limit);
+    wire near_now_both_32 = &lead_y_place_minus_leader_11_y[11:5] & (near_now_difference < lead_y_place_minus_leader_11_y[4:0]);
+    wire near_now_both_33 = (near_now_both_29 | near_now_both_30) & (near_now_both_31 | near_now_both_32);
+    wire [11:0] lead_z_place_minus_leader_11_z = lead_z_place - leader_11_z;
+    wire near_now_both_34 = (lead_z_place_minus_leader_11_z[11:5] == 7'd0) & (lead_z_place_minus_leader_11_z[4:0] < grid_limit);
+    wire near_now_both_35 = &lead_z_place_minus_leader_11_z[11:5] & (near_now_difference < lead_z_place_minus_leader_11_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_10_x = lead_x_place - leader_10_x;
+    wire near_now_both_36 = (lead_x_place_minus_leader_10_x[11:5] == 7'd0) & (lead_x_place_minus_leader_10_x[4:0] < grid_limit);
+    wire near_now_both_37 = &lead_x_place_minus_leader_10_x[11:5] & (near_now_difference < lead_x_place_minus_leader_10_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_10_y = lead_y_place - leader_10_y;
+    wire near_now_both_38 = (lead_y_place_minus_leader_10_y[11:5] == 7'd0) & (lead_y_place_minus_leader_10_y[4:0] < grid_limit);
+    wire near_now_both_39 = &lead_y_place_minus_leader_10_y[11:5] & (near_now_difference < lead_y_place_minus_leader_10_y[4:0]);
+    wire near_now_both_40 = (near_now_both_36 | near_now_both_37) & (near_now_both_38 | near_now_both_39);
+    wire [11:0] lead_z_place_minus_leader_10_z = lead_z_place - leader_10_z;
+    wire near_now_both_41 = (lead_z_place_minus_leader_10_z[11:5] == 7'd0) & (lead_z_place_minus_leader_10_z[4:0] < grid_limit);
+    wire near_now_both_42 = &lead_z_place_minus_leader_10_z[11:5] & (near_now_difference < lead_z_place_minus_leader_10_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_9_x = lead_x_place - leader_9_x;
+    wire near_now_both_43 = (lead_x_place_minus_leader_9_x[11:5] == 7'd0) & (lead_x_place_minus_leader_9_x[4:0] < grid_limit);
+    wire near_now_both_44 = &lead_x_place_minus_leader_9_x[11:5] & (near_now_difference < lead_x_place_minus_leader_9_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_9_y = lead_y_place - leader_9_y;
+    wire near_now_both_45 = (lead_y_place_minus_leader_9_y[11:5] == 7'd0) & (lead_y_place_minus_leader_9_y[4:0] < grid_limit);
+    wire near_now_both_46 = &lead_y_place_minus_leader_9_y[11:5] & (near_now_difference < lead_y_place_minus_leader_9_y[4:0]);
+    wire near_now_both_47 = (near_now_both_43 | near_now_both_44) & (near_now_both_45 | near_now_both_46);
+    wire [11:0] lead_z_place_minus_leader_9_z = lead_z_place - leader_9_z;
+    wire near_now_both_48 = (lead_z_place_minus_leader_9_z[11:5] == 7'd0) & (lead_z_place_minus_leader_9_z[4:0] < grid_limit);
+    wire near_now_both_49 = &lead_z_place_minus_leader_9_z[11:5] & (near_now_difference < lead_z_place_minus_leader_9_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_8_x = lead_x_place - leader_8_x;
+    wire near_now_both_50 = (lead_x_place_minus_leader_8_x[11:5] == 7'd0) & (lead_x_place_minus_leader_8_x[4:0] < grid_limit);
+    wire near_now_both_51 = &lead_x_place_minus_leader_8_x[11:5] & (near_now_difference < lead_x_place_minus_leader_8_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_8_y = lead_y_place - leader_8_y;
+    wire near_now_both_52 = (lead_y_place_minus_leader_8_y[11:5] == 7'd0) & (lead_y_place_minus_leader_8_y[4:0] < grid_limit);
+    wire near_now_both_53 = &lead_y_place_minus_leader_8_y[11:5] & (near_now_difference < lead_y_place_minus_leader_8_y[4:0]);
+    wire near_now_both_54 = (near_now_both_50 | near_now_both_51) & (near_now_both_52 | near_now_both_53);
+    wire [11:0] lead_z_place_minus_leader_8_z = lead_z_place - leader_8_z;
+    wire near_now_both_55 = (lead_z_place_minus_leader_8_z[11:5] == 7'd0) & (lead_z_place_minus_leader_8_z[4:0] < grid_limit);
+    wire near_now_both_56 = &lead_z_place_minus_leader_8_z[11:5] & (near_now_difference < lead_z_place_minus_leader_8_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_7_x = lead_x_place - leader_7_x;
+    wire near_now_both_57 = (lead_x_place_minus_leader_7_x[11:5] == 7'd0) & (lead_x_place_minus_leader_7_x[4:0] < grid_limit);
+    wire near_now_both_58 = &lead_x_place_minus_leader_7_x[11:5] & (near_now_difference < lead_x_place_minus_leader_7_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_7_y = lead_y_place - leader_7_y;
+    wire near_now_both_59 = (lead_y_place_minus_leader_7_y[11:5] == 7'd0) & (lead_y_place_minus_leader_7_y[4:0] < grid_limit);
+    wire near_now_both_60 = &lead_y_place_minus_leader_7_y[11:5] & (near_now_difference < lead_y_place_minus_leader_7_y[4:0]);
+    wire near_now_both_61 = (near_now_both_57 | near_now_both_58) & (near_now_both_59 | near_now_both_60);
+    wire [11:0] lead_z_place_minus_leader_7_z = lead_z_place - leader_7_z;
+    wire near_now_both_62 = (lead_z_place_minus_leader_7_z[11:5] == 7'd0) & (lead_z_place_minus_leader_7_z[4:0] < grid_limit);
+    wire near_now_both_63 = &lead_z_place_minus_leader_7_z[11:5] & (near_now_difference < lead_z_place_minus_leader_7_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_6_x = lead_x_place - leader_6_x;
+    wire near_now_both_64 = (lead_x_place_minus_leader_6_x[11:5] == 7'd0) & (lead_x_place_minus_leader_6_x[4:0] < grid_limit);
+    wire near_now_both_65 = &lead_x_place_minus_leader_6_x[11:5] & (near_now_difference < lead_x_place_minus_leader_6_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_6_y = lead_y_place - leader_6_y;
+    wire near_now_both_66 = (lead_y_place_minus_leader_6_y[11:5] == 7'd0) & (lead_y_place_minus_leader_6_y[4:0] < grid_limit);
+    wire near_now_both_67 = &lead_y_place_minus_leader_6_y[11:5] & (near_now_difference < lead_y_place_minus_leader_6_y[4:0]);
+    wire near_now_both_68 = (near_now_both_64 | near_now_both_65) & (near_now_both_66 | near_now_both_67);
+    wire [11:0] lead_z_place_minus_leader_6_z = lead_z_place - leader_6_z;
+    wire near_now_both_69 = (lead_z_place_minus_leader_6_z[11:5] == 7'd0) & (lead_z_place_minus_leader_6_z[4:0] < grid_limit);
+    wire near_now_both_70 = &lead_z_place_minus_leader_6_z[11:5] & (near_now_difference < lead_z_place_minus_leader_6_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_5_x = lead_x_place - leader_5_x;
+    wire near_now_both_71 = (lead_x_place_minus_leader_5_x[11:5] == 7'd0) & (lead_x_place_minus_leader_5_x[4:0] < grid_limit);
+    wire near_now_both_72 = &lead_x_place_minus_leader_5_x[11:5] & (near_now_difference < lead_x_place_minus_leader_5_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_5_y = lead_y_place - leader_5_y;
+    wire near_now_both_73 = (lead_y_place_minus_leader_5_y[11:5] == 7'd0) & (lead_y_place_minus_leader_5_y[4:0] < grid_limit);
+    wire near_now_both_74 = &lead_y_place_minus_leader_5_y[11:5] & (near_now_difference < lead_y_place_minus_leader_5_y[4:0]);
+    wire near_now_both_75 = (near_now_both_71 | near_now_both_72) & (near_now_both_73 | near_now_both_74);
+    wire [11:0] lead_z_place_minus_leader_5_z = lead_z_place - leader_5_z;
+    wire near_now_both_76 = (lead_z_place_minus_leader_5_z[11:5] == 7'd0) & (lead_z_place_minus_leader_5_z[4:0] < grid_limit);
+    wire near_now_both_77 = &lead_z_place_minus_leader_5_z[11:5] & (near_now_difference < lead_z_place_minus_leader_5_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_4_x = lead_x_place - leader_4_x;
+    wire near_now_both_78 = (lead_x_place_minus_leader_4_x[11:5] == 7'd0) & (lead_x_place_minus_leader_4_x[4:0] < grid_limit);
+    wire near_now_both_79 = &lead_x_place_minus_leader_4_x[11:5] & (near_now_difference < lead_x_place_minus_leader_4_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_4_y = lead_y_place - leader_4_y;
+    wire near_now_both_80 = (lead_y_place_minus_leader_4_y[11:5] == 7'd0) & (lead_y_place_minus_leader_4_y[4:0] < grid_limit);
+    wire near_now_both_81 = &lead_y_place_minus_leader_4_y[11:5] & (near_now_difference < lead_y_place_minus_leader_4_y[4:0]);
+    wire near_now_both_82 = (near_now_both_78 | near_now_both_79) & (near_now_both_80 | near_now_both_81);
+    wire [11:0] lead_z_place_minus_leader_4_z = lead_z_place - leader_4_z;
+    wire near_now_both_83 = (lead_z_place_minus_leader_4_z[11:5] == 7'd0) & (lead_z_place_minus_leader_4_z[4:0] < grid_limit);
+    wire near_now_both_84 = &lead_z_place_minus_leader_4_z[11:5] & (near_now_difference < lead_z_place_minus_leader_4_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_3_x = lead_x_place - leader_3_x;
+    wire near_now_both_85 = (lead_x_place_minus_leader_3_x[11:5] == 7'd0) & (lead_x_place_minus_leader_3_x[4:0] < grid_limit);
+    wire near_now_both_86 = &lead_x_place_minus_leader_3_x[11:5] & (near_now_difference < lead_x_place_minus_leader_3_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_3_y = lead_y_place - leader_3_y;
+    wire near_now_both_87 = (lead_y_place_minus_leader_3_y[11:5] == 7'd0) & (lead_y_place_minus_leader_3_y[4:0] < grid_limit);
+    wire near_now_both_88 = &lead_y_place_minus_leader_3_y[11:5] & (near_now_difference < lead_y_place_minus_leader_3_y[4:0]);
+    wire near_now_both_89 = (near_now_both_85 | near_now_both_86) & (near_now_both_87 | near_now_both_88);
+    wire [11:0] lead_z_place_minus_leader_3_z = lead_z_place - leader_3_z;
+    wire near_now_both_90 = (lead_z_place_minus_leader_3_z[11:5] == 7'd0) & (lead_z_place_minus_leader_3_z[4:0] < grid_limit);
+    wire near_now_both_91 = &lead_z_place_minus_leader_3_z[11:5] & (near_now_difference < lead_z_place_minus_leader_3_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_2_x = lead_x_place - leader_2_x;
+    wire near_now_both_92 = (lead_x_place_minus_leader_2_x[11:5] == 7'd0) & (lead_x_place_minus_leader_2_x[4:0] < grid_limit);
+    wire near_now_both_93 = &lead_x_place_minus_leader_2_x[11:5] & (near_now_difference < lead_x_place_minus_leader_2_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_2_y = lead_y_place - leader_2_y;
+    wire near_now_both_94 = (lead_y_place_minus_leader_2_y[11:5] == 7'd0) & (lead_y_place_minus_leader_2_y[4:0] < grid_limit);
+    wire near_now_both_95 = &lead_y_place_minus_leader_2_y[11:5] & (near_now_difference < lead_y_place_minus_leader_2_y[4:0]);
+    wire near_now_both_96 = (near_now_both_92 | near_now_both_93) & (near_now_both_94 | near_now_both_95);
+    wire [11:0] lead_z_place_minus_leader_2_z = lead_z_place - leader_2_z;
+    wire near_now_both_97 = (lead_z_place_minus_leader_2_z[11:5] == 7'd0) & (lead_z_place_minus_leader_2_z[4:0] < grid_limit);
+    wire near_now_both_98 = &lead_z_place_minus_leader_2_z[11:5] & (near_now_difference < lead_z_place_minus_leader_2_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_1_x = lead_x_place - leader_1_x;
+    wire near_now_both_99 = (lead_x_place_minus_leader_1_x[11:5] == 7'd0) & (lead_x_place_minus_leader_1_x[4:0] < grid_limit);
+    wire near_now_both_100 = &lead_x_place_minus_leader_1_x[11:5] & (near_now_difference < lead_x_place_minus_leader_1_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_1_y = lead_y_place - leader_1_y;
+    wire near_now_both_101 = (lead_y_place_minus_leader_1_y[11:5] == 7'd0) & (lead_y_place_minus_leader_1_y[4:0] < grid_limit);
+    wire near_now_both_102 = &lead_y_place_minus_leader_1_y[11:5] & (near_now_difference < lead_y_place_minus_leader_1_y[4:0]);
+    wire near_now_both_103 = (near_now_both_99 | near_now_both_100) & (near_now_both_101 | near_now_both_102);
+    wire [11:0] lead_z_place_minus_leader_1_z = lead_z_place - leader_1_z;
+    wire near_now_both_104 = (lead_z_place_minus_leader_1_z[11:5] == 7'd0) & (lead_z_place_minus_leader_1_z[4:0] < grid_limit);
+    wire near_now_both_105 = &lead_z_place_minus_leader_1_z[11:5] & (near_now_difference < lead_z_place_minus_leader_1_z[4:0]);
+    wire [11:0] lead_x_place_minus_leader_0_x = lead_x_place - leader_0_x;
+    wire near_now_both_106 = (lead_x_place_minus_leader_0_x[11:5] == 7'd0) & (lead_x_place_minus_leader_0_x[4:0] < grid_limit);
+    wire near_now_both_107 = &lead_x_place_minus_leader_0_x[11:5] & (near_now_difference < lead_x_place_minus_leader_0_x[4:0]);
+    wire [11:0] lead_y_place_minus_leader_0_y = lead_y_place - leader_0_y;
+    wire near_now_both_108 = (lead_y_place_minus_leader_0_y[11:5] == 7'd0) & (lead_y_place_minus_leader_0_y[4:0] < grid_limit);
+    wire near_now_both_109 = &lead_y_place_minus_leader_0_y[11:5] & (near_now_difference < lead_y_place_minus_leader_0_y[4:0]);
+    wire near_now_both_110 = (near_now_both_106 | near_now_both_107) & (near_now_both_108 | near_now_both_109);
+    wire [11:0] lead_z_place_minus_leader_0_z = lead_z_place - leader_0_z;
+    wire near_now_both_111 = (lead_z_place_minus_leader_0_z[11:5] == 7'd0) & (lead_z_place_minus_leader_0_z[4:0] < grid_limit);
+    wire near_now_both_112 = &lead_z_place_minus_leader_0_z[11:5] & (near_now_difference < lead_z_place_minus_leader_0_z[4:0]);
+    wire [15:0] near_now_bits = {
+        near_now_both_5 & (near_now_both_6 | near_now_both_7),
+        near_now_both_12 & (near_now_both_13 | near_now_both_14),
+        near_now_both_19 & (near_now_both_20 | near_now_both_21),
+        near_now_both_26 & (near_now_both_27 | near_now_both_28),
+        near_now_both_33 & (near_now_both_34 | near_now_both_35),
+        near_now_both_40 & (near_now_both_41 | near_now_both_42),
+        near_now_both_47 & (near_now_both_48 | near_now_both_49),
+        near_now_both_54 & (near_now_both_55 | near_now_both_56),
+        near_now_both_61 & (near_now_both_62 | near_now_both_63),
+        near_now_both_68 & (near_now_both_69 | near_now_both_70),
+        near_now_both_75 & (near_now_both_76 | near_now_both_77),
+        near_now_both_82 & (near_now_both_83 | near_now_both_84),
+        near_now_both_89 & (near_now_both_90 | near_now_both_91),
+        near_now_both_96 & (near_now_both_97 | near_now_both_98),
+        near_now_both_103 & (near_now_both_104 | near_now_both_105),
+        near_now_both_110 & (near_now_both_111 | near_now_both_112)
+    };
+    wire [15:0] near_now = near_now_bits & ({16{aligned & grid_known}} & comparable);
 
     assign {result_number, result_last, result_found, result_index, result_distance2, result_cached} = result_queue_out_data;
     assign {search_number, search_k, search_radius2, search_x, search_y, search_z} = search_queue_out_data;
@@ -3783,14 +4129,29 @@ module search_neighbor_cache (
         .read(d0_takes), .read_address(deliver_queue_out_entry), .read_data(count)
     );
 
-    memory_1w1r #(.WIDTH(158), .DEPTH(32)) tickets (
+    memory_1w1r #(.WIDTH(163), .DEPTH(32)) tickets (
         .clk(clk), .write(misses), .write_address(next_ticket), .write_data(asked_head),
         .read(copy_starts), .read_address(found_queue_out_number[4:0]), .read_data(ticket_query)
     );
 
+    memory_1w1r #(.WIDTH(190), .DEPTH(32)) followers (
+        .clk(clk), .write(follows),
+        .write_address({
+            |(free_follower & 32'hffff0000), |(free_follower & 32'hff00ff00), |(free_follower & 32'hf0f0f0f0),
+            |(free_follower & 32'hcccccccc), |(free_follower & 32'haaaaaaaa)
+        }),
+        .write_data(query_queue_out_data),
+        .read(reads_follower),
+        .read_address({
+            |(first_due & 32'hffff0000), |(first_due & 32'hff00ff00), |(first_due & 32'hf0f0f0f0),
+            |(first_due & 32'hcccccccc), |(first_due & 32'haaaaaaaa)
+        }),
+        .read_data(next)
+    );
+
     stream_fifo_d4_w28 deliver_queue (
         .clk(clk), .rst(rst), .in_valid(hits | copy_ends), .in_ready(deliver_queue_in_ready),
-        .in_data({hits ? j_entry : copy_entry, hits ? asked_head[157:134] : ticket_query[157:134], hits}),
+        .in_data({hits ? j_entry : copy_entry, hits ? asked_head[162:139] : ticket_query[162:139], hits}),
         .out_valid(deliver_queue_out_valid), .out_ready(deliver_queue_out_ready),
         .out_data(deliver_queue_out_data)
     );
@@ -3804,10 +4165,16 @@ module search_neighbor_cache (
         .out_valid(result_valid), .out_ready(result_ready), .out_data(result_queue_out_data)
     );
 
-    stream_skid_w190 query_queue (
-        .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(query_ready),
-        .in_data({query_number, query_k, query_radius2, query_x, query_y, query_z, query_reach}),
-        .out_valid(query_queue_out_valid), .out_ready(query_queue_out_ready), .out_data(query_queue_out_data)
+    stream_skid_w195 asks (
+        .clk(clk), .rst(rst), .in_valid(has_next | leads), .in_ready(asks_in_ready),
+        .in_data({
+            has_next ? next[189:166] : query_queue_out_number, has_next ? next[165:160] : query_queue_out_k,
+            has_next ? next[159:128] : query_queue_out_radius2, has_next ? next[127:96] : query_queue_out_x,
+            has_next ? next[95:64] : query_queue_out_y, has_next ? next[63:32] : query_queue_out_z,
+            has_next ? next[31:0] : query_queue_out_reach, has_next ? 1'd0 : |free_leader,
+            has_next ? 4'd0 : asks_in_data_bits
+        }),
+        .out_valid(asks_out_valid), .out_ready(asks_out_ready), .out_data(asks_out_data)
     );
 
     search_check check (
@@ -3818,12 +4185,12 @@ module search_neighbor_cache (
         .margin_scale(margin_scale),
         .out_valid(check_out_valid), .out_ready(j_advance), .out_entry(check_out_entry),
         .out_last(check_out_last), .out_present(check_out_present), .out_version(check_out_version),
-        .out_covered(check_out_covered)
+        .out_margin(check_out_margin), .out_covered(check_out_covered)
     );
 
     stream_skid_w158 search_queue (
         .clk(clk), .rst(rst), .in_valid(misses), .in_ready(search_queue_in_ready),
-        .in_data({19'd0, next_ticket, asked_head[133:0]}),
+        .in_data({19'd0, next_ticket, asked_head[138:5]}),
         .out_valid(search_valid), .out_ready(search_ready), .out_data(search_queue_out_data)
     );
 
@@ -3836,9 +4203,17 @@ module search_neighbor_cache (
     search_cover judge (
         .clk(clk), .rst(rst), .in_valid(reach_valid), .in_ready(judge_in_ready), .in_entry(reach_entry),
         .in_x(reach_x), .in_y(reach_y), .in_z(reach_z), .in_far2(reach_far2), .in_near2(reach_near2),
+        .in_leads(reach_leads), .in_leader(reach_leader),
         .far_scale(far_scale),
         .out_valid(judge_out_valid), .out_ready(1'd1), .out_entry(judge_out_entry), .out_x(judge_out_x),
-        .out_y(judge_out_y), .out_z(judge_out_z), .out_c(judge_out_c)
+        .out_y(judge_out_y), .out_z(judge_out_z), .out_c(judge_out_c), .out_leads(judge_out_leads),
+        .out_leader(judge_out_leader)
+    );
+
+    stream_skid_w190 query_queue (
+        .clk(clk), .rst(rst), .in_valid(query_valid), .in_ready(query_ready),
+        .in_data({query_number, query_k, query_radius2, query_x, query_y, query_z, query_reach}),
+        .out_valid(query_queue_out_valid), .out_ready(query_taken), .out_data(query_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -3885,6 +4260,13 @@ module search_neighbor_cache (
             reach_valid <= 1'd0;
             d0_valid <= 1'd0;
             d1_valid <= 1'd0;
+            waits <= 32'd0;
+            follower_ready <= 32'd0;
+            due <= 32'd0;
+            has_next <= 1'd0;
+            lead_step <= 2'd0;
+            grid_known <= 1'd0;
+            unfinished <= 16'd0;
         end else begin
             present <= ((present & ~start_set) | (judged_set & ~stale)) & ~{8{setup_valid}};
             writing <= (writing | start_set) & ~judged_set;
@@ -3913,6 +4295,11 @@ module search_neighbor_cache (
             copying <= copy_starts | (copying & ~copy_ends);
             reach_valid <= copy_ends;
             d0_valid <= d0_takes | (d0_valid & ~releases);
+            waits <= (waits & ~follower_read) | follower_enters;
+            follower_ready <= (follower_ready & follower_ready_bits) | becomes_ready;
+            due <= (due & ~follower_read) | (follower_ready & ~follower_ready_bits);
+            grid_known <= (grid_known | grid_follows) & ~setup_valid;
+            unfinished <= (unfinished | becomes_leader) & ~finished_leaders;
             if (start_set[0]) version_0 <= version_0 + 8'd1;
             if (start_set[1]) version_1 <= version_1 + 8'd1;
             if (start_set[2]) version_2 <= version_2 + 8'd1;
@@ -3928,6 +4315,10 @@ module search_neighbor_cache (
             if (i_advance) i1_valid <= issues;
             if (j_advance) j_valid <= check_out_valid;
             if (d_advance) d1_valid <= d0_valid;
+            if (next_taken) has_next <= |due;
+            if (query_queue_out_valid & (~leads_both | query_taken)) begin
+                lead_step <= lead_step + 2'd1;
+            end
         end
     end
     always @(posedge clk) begin
@@ -3947,21 +4338,27 @@ module search_neighbor_cache (
             i1_last <= last_entry;
             i1_present <= present_shifted_by_next_entry[0];
             i1_version <= next_entry[2] ? i1_version_choice : i1_version_choice_2;
-            i1_x <= query_queue_out_x;
-            i1_y <= query_queue_out_y;
-            i1_z <= query_queue_out_z;
-            i1_reach <= query_queue_out_reach;
+            i1_x <= asks_out_x;
+            i1_y <= asks_out_y;
+            i1_z <= asks_out_z;
+            i1_reach <= asks_out_reach;
         end
         j_matches <= j_advance ? matched : j_reads;
         reach_entry <= copy_entry;
-        reach_x <= ticket_query[95:64];
-        reach_y <= ticket_query[63:32];
-        reach_z <= ticket_query[31:0];
-        reach_far2 <= copy_full ? found_queue_out_distance2 : ticket_query[127:96];
-        reach_near2 <= ball ? 32'd0 : reach_near2_choice_3;
+        reach_x <= ticket_query[100:69];
+        reach_y <= ticket_query[68:37];
+        reach_z <= ticket_query[36:5];
+        reach_far2 <= copy_full ? found_queue_out_distance2 : ticket_query[132:101];
+        reach_near2 <= ball ? 32'd0 : copy_full ? copy_previous : reach_near2_choice_3;
+        reach_leads <= ticket_query[4];
+        reach_leader <= ticket_query[3:0];
+        comparable <= (|becomes_leader ? comparable_either : comparable) & ~{16{grid_moves}};
+        aligned <= (lead_x_amount_enable_both | aligned) & ~grid_moves;
         if (j_advance) begin
             j_entry <= check_out_entry;
             j_last <= check_out_last;
+            j_reusable <= reusable;
+            j_margin <= check_out_margin;
         end
         if (copy_starts) copy_entry <= victim;
         if (copy_starts_or_copy_stores) begin
@@ -3983,12 +4380,143 @@ module search_neighbor_cache (
             d1_found <= |count;
             d1_cached <= d0_cached;
         end
+        if (follower_enters[0]) follows_0 <= followed;
+        if (follower_enters[1]) follows_1 <= followed;
+        if (follower_enters[2]) follows_2 <= followed;
+        if (follower_enters[3]) follows_3 <= followed;
+        if (follower_enters[4]) follows_4 <= followed;
+        if (follower_enters[5]) follows_5 <= followed;
+        if (follower_enters[6]) follows_6 <= followed;
+        if (follower_enters[7]) follows_7 <= followed;
+        if (follower_enters[8]) follows_8 <= followed;
+        if (follower_enters[9]) follows_9 <= followed;
+        if (follower_enters[10]) follows_10 <= followed;
+        if (follower_enters[11]) follows_11 <= followed;
+        if (follower_enters[12]) follows_12 <= followed;
+        if (follower_enters[13]) follows_13 <= followed;
+        if (follower_enters[14]) follows_14 <= followed;
+        if (follower_enters[15]) follows_15 <= followed;
+        if (follower_enters[16]) follows_16 <= followed;
+        if (follower_enters[17]) follows_17 <= followed;
+        if (follower_enters[18]) follows_18 <= followed;
+        if (follower_enters[19]) follows_19 <= followed;
+        if (follower_enters[20]) follows_20 <= followed;
+        if (follower_enters[21]) follows_21 <= followed;
+        if (follower_enters[22]) follows_22 <= followed;
+        if (follower_enters[23]) follows_23 <= followed;
+        if (follower_enters[24]) follows_24 <= followed;
+        if (follower_enters[25]) follows_25 <= followed;
+        if (follower_enters[26]) follows_26 <= followed;
+        if (follower_enters[27]) follows_27 <= followed;
+        if (follower_enters[28]) follows_28 <= followed;
+        if (follower_enters[29]) follows_29 <= followed;
+        if (follower_enters[30]) follows_30 <= followed;
+        if (follower_enters[31]) follows_31 <= followed;
+        if (grid_moves) grid_unit <= j_margin[30:23] - 8'd3;
+        if (grid_follows) begin
+            grid_limit <= grid_limit_both_2 ? {1'd1, j_margin[22:19]} : grid_limit_choice;
+        end
+        if (becomes_leader[0]) begin
+            leader_0_x <= lead_x_place;
+            leader_0_y <= lead_y_place;
+            leader_0_z <= lead_z_place;
+        end
+        if (becomes_leader[1]) begin
+            leader_1_x <= lead_x_place;
+            leader_1_y <= lead_y_place;
+            leader_1_z <= lead_z_place;
+        end
+        if (becomes_leader[2]) begin
+            leader_2_x <= lead_x_place;
+            leader_2_y <= lead_y_place;
+            leader_2_z <= lead_z_place;
+        end
+        if (becomes_leader[3]) begin
+            leader_3_x <= lead_x_place;
+            leader_3_y <= lead_y_place;
+            leader_3_z <= lead_z_place;
+        end
+        if (becomes_leader[4]) begin
+            leader_4_x <= lead_x_place;
+            leader_4_y <= lead_y_place;
+            leader_4_z <= lead_z_place;
+        end
+        if (becomes_leader[5]) begin
+            leader_5_x <= lead_x_place;
+            leader_5_y <= lead_y_place;
+            leader_5_z <= lead_z_place;
+        end
+        if (becomes_leader[6]) begin
+            leader_6_x <= lead_x_place;
+            leader_6_y <= lead_y_place;
+            leader_6_z <= lead_z_place;
+        end
+        if (becomes_leader[7]) begin
+            leader_7_x <= lead_x_place;
+            leader_7_y <= lead_y_place;
+            leader_7_z <= lead_z_place;
+        end
+        if (becomes_leader[8]) begin
+            leader_8_x <= lead_x_place;
+            leader_8_y <= lead_y_place;
+            leader_8_z <= lead_z_place;
+        end
+        if (becomes_leader[9]) begin
+            leader_9_x <= lead_x_place;
+            leader_9_y <= lead_y_place;
+            leader_9_z <= lead_z_place;
+        end
+        if (becomes_leader[10]) begin
+            leader_10_x <= lead_x_place;
+            leader_10_y <= lead_y_place;
+            leader_10_z <= lead_z_place;
+        end
+        if (becomes_leader[11]) begin
+            leader_11_x <= lead_x_place;
+            leader_11_y <= lead_y_place;
+            leader_11_z <= lead_z_place;
+        end
+        if (becomes_leader[12]) begin
+            leader_12_x <= lead_x_place;
+            leader_12_y <= lead_y_place;
+            leader_12_z <= lead_z_place;
+        end
+        if (becomes_leader[13]) begin
+            leader_13_x <= lead_x_place;
+            leader_13_y <= lead_y_place;
+            leader_13_z <= lead_z_place;
+        end
+        if (becomes_leader[14]) begin
+            leader_14_x <= lead_x_place;
+            leader_14_y <= lead_y_place;
+            leader_14_z <= lead_z_place;
+        end
+        if (becomes_leader[15]) begin
+            leader_15_x <= lead_x_place;
+            leader_15_y <= lead_y_place;
+            leader_15_z <= lead_z_place;
+        end
+        if (lead_x_amount_enable_both) begin
+            lead_x_amount <= lead_x_shift[5:0];
+            lead_x_inside <= lead_x_shift[9:6] == 4'd0;
+            lead_y_amount <= lead_y_shift[5:0];
+            lead_y_inside <= lead_y_shift[9:6] == 4'd0;
+            lead_z_amount <= lead_z_shift[5:0];
+            lead_z_inside <= lead_z_shift[9:6] == 4'd0;
+        end
+        if (lead_x_place_enable_both) begin
+            lead_x_place <= (lead_x_place_shifted[11:0] & {12{lead_x_inside}}) ^ {12{query_queue_out_x[31]}};
+            lead_y_place <= (lead_y_place_shifted[11:0] & {12{lead_y_inside}}) ^ {12{query_queue_out_y[31]}};
+            lead_z_place <= (lead_z_place_shifted[11:0] & {12{lead_z_inside}}) ^ {12{query_queue_out_z[31]}};
+        end
+        if (query_queue_out_valid & (lead_step == 2'd2)) near <= near_now;
     end
-    always @(posedge clk) if (enters) asked[asked_write_address] <= query_queue_out_data[189:32];
+    always @(posedge clk) if (enters) asked[asked_write_address] <= {asks_out_data[194:37], asks_out_data[4:0]};
 
     wire _unused = &{
-        1'b0, d0_rank[5], found_queue_out_number[23:5], judge_in_ready, matched_shifted[7:1],
-        present_shifted_by_next_entry[7:1]
+        1'b0, d0_rank[5], found_queue_out_number[23:5], j_margin[18:0], judge_in_ready,
+        lead_x_place_shifted[34:12], lead_y_place_shifted[34:12], lead_z_place_shifted[34:12],
+        present_shifted_by_next_entry[7:1], reusable_shifted[7:1]
     };
 
 `ifdef RTL_ASSERT
@@ -4002,6 +4530,7 @@ module search_neighbor_cache (
 `ifdef FORMAL
         a_comparison_has_its_query: assert (~j_valid | |asked_count);
         a_hit_is_present: assert (~hits | present_shifted_by_j_entry[0]);
+        finished_leaders_were_none_before: assert ((finished_leaders & ~unfinished) == 16'd0);
         a_miss_has_a_ticket: assert (~misses | any_ticket);
         released_entries_have_readers: assert (~check_either_4);
 `else
@@ -4010,6 +4539,9 @@ module search_neighbor_cache (
         end
         if (!(~hits | present_shifted_by_j_entry[0])) begin
             $display("assertion failed: a_hit_is_present in %m"); $stop;
+        end
+        if (!((finished_leaders & ~unfinished) == 16'd0)) begin
+            $display("assertion failed: finished_leaders_were_none_before in %m"); $stop;
         end
         if (!(~misses | any_ticket)) begin
             $display("assertion failed: a_miss_has_a_ticket in %m"); $stop;
@@ -4024,6 +4556,49 @@ module search_neighbor_cache (
 `endif
 endmodule
 
+// Queue of two in registers.
+// width = 190
+module stream_skid_w190 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [189:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [189:0] out_data
+);
+    reg second_valid;
+    reg [189:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // How far a neighborhood reaches.
 // latency = 37
 // initiation_interval = 1
@@ -4031,34 +4606,37 @@ module search_cover (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [2:0] in_entry, input wire [31:0] in_x,
     input  wire [31:0] in_y, input wire [31:0] in_z, input wire [31:0] in_far2,
-    input  wire [31:0] in_near2,
+    input  wire [31:0] in_near2, input wire in_leads, input wire [3:0] in_leader,
     input  wire [31:0] far_scale,
     output wire out_valid, input wire out_ready, output wire [2:0] out_entry, output wire [31:0] out_x,
-    output wire [31:0] out_y, output wire [31:0] out_z, output wire [31:0] out_c
+    output wire [31:0] out_y, output wire [31:0] out_z, output wire [31:0] out_c, output wire out_leads,
+    output wire [3:0] out_leader
 );
     (* ram_style = "distributed" *)
     reg [31:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [98:0] delay_37_from_0 [0:35];
+    reg [103:0] delay_37_from_0 [0:35];
     reg [1:0] delay_5_from_0_pointer;
     reg [31:0] delay_5_from_0_out;
     reg [5:0] delay_37_from_0_pointer;
-    reg [98:0] delay_37_from_0_out;
+    reg [103:0] delay_37_from_0_out;
     reg [36:0] in_flight;
 
-    wire [130:0] queue_out_data;
+    wire [135:0] queue_out_data;
     wire [31:0] sqrt_f32_ftz_unit_y, sqrt_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, add_f32_ftz_unit_y;
 
     wire [2:0] entry_d37 = delay_37_from_0_out[2:0];
     wire [31:0] x_d37 = delay_37_from_0_out[34:3];
     wire [31:0] y_d37 = delay_37_from_0_out[66:35];
     wire [31:0] z_d37 = delay_37_from_0_out[98:67];
+    wire leads_d37 = delay_37_from_0_out[99];
+    wire [3:0] leader_d37 = delay_37_from_0_out[103:100];
 
-    assign {out_entry, out_x, out_y, out_z, out_c} = queue_out_data;
+    assign {out_entry, out_x, out_y, out_z, out_c, out_leads, out_leader} = queue_out_data;
 
-    stream_skid_w131 queue (
+    stream_skid_w136 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[36]), .in_ready(in_ready),
-        .in_data({entry_d37, x_d37, y_d37, z_d37, add_f32_ftz_unit_y}),
+        .in_data({entry_d37, x_d37, y_d37, z_d37, add_f32_ftz_unit_y, leads_d37, leader_d37}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -4094,7 +4672,9 @@ module search_cover (
         if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_37_from_0[delay_37_from_0_pointer] <= {in_z, in_y, in_x, in_entry};
+        if (in_ready) begin
+            delay_37_from_0[delay_37_from_0_pointer] <= {in_leader, in_leads, in_z, in_y, in_x, in_entry};
+        end
         if (in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
 endmodule
@@ -4423,14 +5003,14 @@ module float_sqrt_s26_f32ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 131
-module stream_skid_w131 (
+// width = 136
+module stream_skid_w136 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [130:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [130:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [135:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [135:0] out_data
 );
     reg second_valid;
-    reg [130:0] head, second;
+    reg [135:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -4563,12 +5143,13 @@ module search_check (
     input  wire [31:0] in_entry_c,
     input  wire [31:0] margin_scale,
     output wire out_valid, input wire out_ready, output wire [2:0] out_entry, output wire out_last,
-    output wire out_present, output wire [7:0] out_version, output wire out_covered
+    output wire out_present, output wire [7:0] out_version, output wire [31:0] out_margin,
+    output wire out_covered
 );
     (* ram_style = "distributed" *)
     reg [31:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_7_from_0 [0:5];
+    reg [63:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg delay_23_from_0 [0:21];
     (* ram_style = "distributed" *)
@@ -4576,14 +5157,14 @@ module search_check (
     reg [2:0] delay_6_from_0_pointer;
     reg [31:0] delay_6_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
-    reg [31:0] delay_7_from_0_out;
+    reg [63:0] delay_7_from_0_out;
     reg [4:0] delay_23_from_0_pointer;
     reg delay_23_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
     reg [12:0] delay_25_from_0_out;
     reg [24:0] in_flight;
 
-    wire [13:0] queue_out_data;
+    wire [45:0] queue_out_data;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
     wire [31:0] mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y;
@@ -4593,13 +5174,15 @@ module search_check (
     wire last_d25 = delay_25_from_0_out[3];
     wire present_d25 = delay_25_from_0_out[4];
     wire [7:0] version_d25 = delay_25_from_0_out[12:5];
+    wire [31:0] margin_d14 = delay_7_from_0_out[63:32];
     wire covered_out = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
+    wire [31:0] margin_d7 = delay_7_from_0_out[31:0];
 
-    assign {out_entry, out_last, out_present, out_version, out_covered} = queue_out_data;
+    assign {out_entry, out_last, out_present, out_version, out_margin, out_covered} = queue_out_data;
 
-    stream_skid_w14 queue (
+    stream_skid_w46 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[24]), .in_ready(in_ready),
-        .in_data({entry_d25, last_d25, present_d25, version_d25, covered_out}),
+        .in_data({entry_d25, last_d25, present_d25, version_d25, margin_d14, covered_out}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -4653,8 +5236,7 @@ module search_check (
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_y),
-        .y(mul_f32_ftz_unit_copy5_y)
+        .clk(clk), .enable(in_ready), .a(margin_d7), .b(margin_d7), .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
@@ -4662,7 +5244,7 @@ module search_check (
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(delay_7_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(lt_f32_ftz_unit_copy2_y)
     );
 
@@ -4686,7 +5268,7 @@ module search_check (
         if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= mul_f32_ftz_unit_copy5_y;
+        if (in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {margin_d7, mul_f32_ftz_unit_y};
         if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -4908,14 +5490,14 @@ module float_add_s6_f32ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 14
-module stream_skid_w14 (
+// width = 46
+module stream_skid_w46 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [13:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [45:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [45:0] out_data
 );
     reg second_valid;
-    reg [13:0] head, second;
+    reg [45:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -4951,14 +5533,14 @@ module stream_skid_w14 (
 endmodule
 
 // Queue of two in registers.
-// width = 190
-module stream_skid_w190 (
+// width = 195
+module stream_skid_w195 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [189:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [189:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [194:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [194:0] out_data
 );
     reg second_valid;
-    reg [189:0] head, second;
+    reg [194:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
