@@ -2,8 +2,8 @@
 
 use crate::TableShape;
 
-/// `exp_neg` is tabulated from 0 to here; beyond, it is below half of the table's last place, and 0.
-pub const EXP_NEGATIVE_END: f64 = 16.0;
+/// `exp_neg` is tabulated from 0 to here, a power of two; beyond, it is below half of the last place of the table, and 0.
+pub const EXP_NEGATIVE_END: u32 = 16;
 
 /// Shape of the table of `exp_neg` over `[0, EXP_NEGATIVE_END)`: within 2⁻¹³ of the function, chord, rounding and truncation together.
 pub const EXP_NEGATIVE_TABLE: TableShape = TableShape { index_bits: 10, fraction_bits: 10, value_bits: 16 };
