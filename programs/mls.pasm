@@ -1,5 +1,6 @@
-; Projection onto the surface of weighted planes (thesis 6.2, equations 6.1 to 6.4; Alexa and Adamson 2004). Each iteration finds the
-; plane through the weighted mean of the neighbors, its normal their weighted normal, and puts the query where its start meets it.
+; Projection onto the surface of weighted planes (thesis 6.2, equations 6.1 to 6.4; Alexa and Adamson 2004). Each
+; iteration finds the plane through the weighted mean of the neighbors, its normal their weighted normal, and puts the
+; query at the foot of its start on it.
 .program mls
 
 .setting inverse_radius2: float   ; 1/h²: a neighbor at distance h or beyond weighs nothing
@@ -32,13 +33,14 @@ a = scale points, inverse_weight
 magnitude = length2 normals
 inverse_length = rsqrt magnitude
 n = scale normals, inverse_length
+residual = dot n, a
+distance = abs residual
 ; False of NaNs, too.
 weighs = less 0.0, weight
-points_somewhere = less 0.0, magnitude
-finite = less magnitude, 1.0e38
-directed = and points_somewhere, finite
-valid = and weighs, directed
-residual = dot n, a
+directed = less 0.0, magnitude
+finite = less distance, 1.0e38
+there = and weighs, directed
+valid = and there, finite
 ; Step 4 of 6.2 with the sign it has to have: x' = x + n (n · (a(x') − x)).
 moved_by = sub query.position, start
 from_start = add moved_by, a
@@ -48,13 +50,13 @@ foot = add start, step
 surface = select valid, foot, query.position
 none = vector 0.0, 0.0, 0.0
 normal = select valid, n, none
-distance = abs residual
+residual_there = select valid, residual, 0.0
 close = less_or_equal distance, tolerance
 invalid = not valid
 finished = or close, invalid
 output position, surface
 output normal, normal
-output residual, residual
+output residual, residual_there
 output valid, valid
 move surface
 done finished

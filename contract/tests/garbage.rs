@@ -61,12 +61,16 @@ proptest! {
 
     #[test]
     fn programs_with_a_part_replaced_have_an_answer(
-        index in 0..PROGRAMS.len(), at: prop::sample::Index, length in 0..12_usize, part in prop::sample::select(&PARTS[..]),
+        index in 0..PROGRAMS.len(),
+        at: prop::sample::Index,
+        length in 0..12_usize,
+        part in prop::sample::select(&PARTS[..]),
     ) {
         let characters: Vec<char> = PROGRAMS[index].1.chars().collect();
         let from = at.index(characters.len());
         let behind = (from + length).min(characters.len());
-        let text: String = characters[..from].iter().copied().chain(part.chars()).chain(characters[behind..].iter().copied()).collect();
+        let [before, after] = [&characters[..from], &characters[behind..]].map(|part| part.iter().collect::<String>());
+        let text = format!("{before}{part}{after}");
         if let Err(error) = Program::parse("mutant", &text) {
             prop_assert!(error.line >= 1 && error.line <= text.lines().count() && error.column >= 1, "{error}");
         }

@@ -54,7 +54,8 @@ pub struct Results {
     pub movement: Option<Store>,
     /// Whether the query is done; in `final`. A query is done without it.
     pub done: Option<NodeId>,
-    /// Whether a query that is not done needs the neighbors of its position; in `final`. It keeps those it has without it.
+    /// Whether a query that is not done needs the neighbors of its position; in `final`. It keeps those it has without
+    /// it.
     pub search: Option<NodeId>,
 }
 

@@ -18,9 +18,7 @@ pub struct ProgramError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// A character that no part of a statement begins with.
-    #[error(
-        "`{0}` stands for nothing here: names are lower-case letters, digits and underscores, a letter first; `;` begins a comment"
-    )]
+    #[error("`{0}` has no meaning: names are lower-case letters, digits and underscores; `;` begins a comment")]
     Character(char),
     /// Another part of a statement belongs here.
     #[error("expected {expected}, found {found}")]
@@ -41,7 +39,7 @@ pub enum Fault {
         range: &'static str,
     },
     /// A name that nothing has.
-    #[error("nothing here is called `{name}`; there {}: {}", if .known.len() == 1 { "is" } else { "are" }, .known.join(", "))]
+    #[error("nothing here is called `{name}`; known: {}", .known.join(", "))]
     Unknown {
         /// The name.
         name: String,

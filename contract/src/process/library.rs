@@ -1,10 +1,23 @@
 //! The programs that come with the project: the files of programs/.
 
-/// Their names and texts.
-pub const PROGRAMS: &[(&str, &str)] = &[("mls", include_str!("../../../programs/mls.pasm"))];
+use super::Program;
 
-/// The text of the program of that name.
+macro_rules! programs {
+    ($($name:literal),* $(,)?) => {
+        /// Their names and texts.
+        pub const PROGRAMS: &[(&str, &str)] =
+            &[$(($name, include_str!(concat!("../../../programs/", $name, ".pasm")))),*];
+    };
+}
+
+programs!("covariance", "normals", "mls", "apss", "smooth", "resample", "sph_density", "sph_forces");
+
+/// The program of that name.
+///
+/// # Panics
+/// If there is none; that all of them are programs is tested.
 #[must_use]
-pub fn text(name: &str) -> Option<&'static str> {
-    PROGRAMS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+pub fn program(name: &str) -> Program {
+    let (name, text) = PROGRAMS.iter().find(|(known, _)| *known == name).expect("the library has the program");
+    Program::parse(&format!("programs/{name}.pasm"), text).expect("a test holds that the programs are well formed")
 }

@@ -1,11 +1,12 @@
-//! The language of the processing module (thesis 6.5.4): an operator on neighborhoods as a short text, and what the text means.
+//! The language of the processing module (thesis 6.5.4): an operator on neighborhoods as a short text, and what the
+//! text means.
 //!
-//! [`Program::parse`] checks a text and makes three blocks of it, each a list of typed nodes without loops or vectors. The golden
-//! interpreter carries them out, the compiler makes pipelines of them; neither sees the other. The page for authors is
-//! docs/programs.md.
+//! [`Program::parse`] checks a text and makes three blocks of it, each a list of typed nodes without loops or vectors.
+//! The golden interpreter carries them out, the compiler makes pipelines of them; neither sees the other. The page for
+//! authors is docs/programs.md.
 //!
-//! A query goes through its blocks in iterations: `init` once, `kernel` once a neighbor, `final` once; then it is done, or the next
-//! iteration begins, with the same neighbors or with those of the position it was moved to.
+//! A query goes through its blocks in iterations: `init` once, `kernel` once a neighbor, `final` once; then it is done,
+//! or the next iteration begins, with the same neighbors or with those of the position it was moved to.
 
 mod block;
 mod builder;

@@ -2,10 +2,12 @@
 
 use crate::TableShape;
 
-/// `exp_neg` is tabulated from 0 to here, a power of two; beyond, it is below half of the last place of the table, and 0.
+/// `exp_neg` is tabulated from 0 to here, a power of two; beyond, it is below half of the last place of the table, and
+/// 0.
 pub const EXP_NEGATIVE_END: u32 = 16;
 
-/// Shape of the table of `exp_neg` over `[0, EXP_NEGATIVE_END)`: within 2⁻¹³ of the function, chord, rounding and truncation together.
+/// Shape of the table of `exp_neg` over `[0, EXP_NEGATIVE_END)`: within 2⁻¹³ of the function, chord, rounding and
+/// truncation together.
 pub const EXP_NEGATIVE_TABLE: TableShape = TableShape { index_bits: 10, fraction_bits: 10, value_bits: 16 };
 
 /// A value from outside a block, by its word in the layout.
@@ -32,8 +34,8 @@ pub enum Source {
 /// A constant in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Literal {
-    /// Encoding of the `f32` nearest to the text. It is rounded to the program's format; below the format's smallest normal number it
-    /// is zero.
+    /// Encoding of the `f32` nearest to the text. It is rounded to the program's format; below the format's smallest
+    /// normal number it is zero.
     Float(u32),
     /// A whole number.
     Int(i32),
@@ -43,8 +45,9 @@ pub enum Literal {
 
 /// What a node computes from its operands.
 ///
-/// Floats are rounded once an operation, to nearest, ties to even; an operation's result that is no number is the format's canonical
-/// NaN. Integers wrap. Comparisons with a NaN are false; `min` and `max` prefer the operand that is a number.
+/// Floats are rounded once an operation, to nearest, ties to even; an operation's result that is no number is the
+/// format's canonical NaN. Integers wrap. Comparisons with a NaN are false; `min` and `max` prefer the operand that is
+/// a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// A value from outside.
@@ -67,9 +70,9 @@ pub enum Operation {
     SquareRoot,
     /// `1 / √a`.
     ReciprocalSquareRoot,
-    /// `e^−a` for `a ≥ 0` from a table: `a` divided by [`EXP_NEGATIVE_END`], truncated to the argument of [`EXP_NEGATIVE_TABLE`] and
-    /// saturated, is looked up; the result is the table's value, of as many fraction bits as it has bits. Negative arguments count as
-    /// 0, a NaN's is NaN.
+    /// `e^−a` for `a ≥ 0` from a table: `a` divided by [`EXP_NEGATIVE_END`], truncated to the argument of
+    /// [`EXP_NEGATIVE_TABLE`] and saturated, is looked up; the result is the table's value, of as many fraction bits as
+    /// it has bits. Negative arguments count as 0, a NaN's is NaN.
     ExpNegative,
     /// The smaller one.
     Minimum,

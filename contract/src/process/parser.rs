@@ -9,7 +9,8 @@ use super::lexer::{Cursor, Kind, Line, Located, lines};
 use super::program::{Program, Section};
 use super::statement::statement;
 
-/// Statements of a block after its repetitions are unrolled, turns without any included: more is a mistake, not a data path.
+/// Statements of a block after its repetitions are unrolled, turns without any included: more is a mistake, not a data
+/// path.
 const STATEMENTS_MAX: usize = 10_000;
 
 /// Repetitions within each other.
@@ -68,7 +69,7 @@ fn read(program: &mut Program, lines: &[Line]) -> Placed<()> {
             let fault = Fault::Misplaced {
                 statement: format!(".{}", section.name()),
                 section: last.map_or("", Section::name).to_owned(),
-                place: "the order `.init`, `.kernel`, `.final`, each once",
+                place: "the order of `.init`, `.kernel`, `.final`",
             };
             return on(line, Err((1, fault)));
         }

@@ -31,8 +31,8 @@ pub struct Outgoing {
 }
 
 impl Program {
-    /// What the data path of a block takes: the values it reads, sorted, and of each sum its partial sums. Settings are constant while
-    /// queries are under way.
+    /// What the data path of a block takes: the values it reads, sorted, and of each sum its partial sums. Settings are
+    /// constant while queries are under way.
     #[must_use]
     pub fn inputs(&self, section: Section) -> Vec<Port> {
         let sources = self.block(section).sources().into_iter();
@@ -48,8 +48,8 @@ impl Program {
             .collect()
     }
 
-    /// What the data path of a block gives: addends, outputs, stored state each with whether it is written, position and whether it
-    /// moves, `done` and `search`. A `final` without `done` is always done.
+    /// What the data path of a block gives: addends, outputs, stored state each with whether it is written, position
+    /// and whether it moves, `done` and `search`. A `final` without `done` is always done.
     #[must_use]
     pub fn results(&self, section: Section) -> Vec<Outgoing> {
         let results = self.block(section).results();

@@ -38,8 +38,8 @@ pub struct Program {
     pub query: Layout,
     /// What a neighbor carries; its position first.
     pub neighbor: Layout,
-    /// What a query keeps from block to block and from iteration to iteration, at most [`STATE_WORDS_MAX`](super::STATE_WORDS_MAX)
-    /// words; zero when it begins.
+    /// What a query keeps from block to block and from iteration to iteration, at most
+    /// [`STATE_WORDS_MAX`](super::STATE_WORDS_MAX) words; zero when it begins.
     pub state: Layout,
     /// Constants of a run.
     pub settings: Layout,

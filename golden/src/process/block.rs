@@ -1,8 +1,8 @@
 //! Blocks of a program: straight-line arithmetic in a number format, each node rounded once.
 //!
-//! A word is the encoding of a float, the bits of an integer, or 0 or 1 of a truth value. A sum is that of its partial sums,
-//! `((p0 + p1) + (p2 + p3)) + ((p4 + p5) + (p6 + p7))`; neighbor `i` of a query, counted from 0 in the order in which neighbors come,
-//! was added to `p(i mod 8)`, which begins as +0.
+//! A word is the encoding of a float, the bits of an integer, or 0 or 1 of a truth value. A sum is that of its partial
+//! sums, `((p0 + p1) + (p2 + p3)) + ((p4 + p5) + (p6 + p7))`; neighbor `i` of a query, counted from 0 in the order in
+//! which neighbors come, was added to `p(i mod 8)`, which begins as +0.
 
 use crate::float::{self, Table, kernel_table};
 use pointcore_contract::process::{
@@ -35,7 +35,8 @@ impl Blocks {
         &self.program
     }
 
-    /// What leaves a block's data path, in the order of [`Program::results`], for what enters in the order of [`Program::inputs`].
+    /// What leaves a block's data path, in the order of [`Program::results`], for what enters in the order of
+    /// [`Program::inputs`].
     ///
     /// # Panics
     /// If there are fewer words than inputs.

@@ -1,8 +1,9 @@
 //! A query on its way through a program: iterations of `init`, `kernel` and `final` (thesis listing 6.3).
 //!
-//! State and sums begin as zeros of all bits, the sums in every iteration. State that a block stores is seen by the blocks behind it.
-//! A query that is not done begins its next iteration with the neighbors it has, or with those of its position if the program asks
-//! for them. One that is not done after the last iteration it may have leaves with its outputs as they are, and is marked.
+//! State and sums begin as zeros of all bits, the sums in every iteration. State that a block stores is seen by the
+//! blocks behind it. A query that is not done begins its next iteration with the neighbors it has, or with those of its
+//! position if the program asks for them. One that is not done after the last iteration it may have leaves with its
+//! outputs as they are, and is marked.
 
 use super::block::Blocks;
 use pointcore_contract::Format;
@@ -178,9 +179,11 @@ mod tests {
 
     #[test]
     fn iterations_keep_state_move_and_search_anew_until_done_or_capped() {
-        let text = ".program walk\n.state best: int\n.init\nfirst = equal count, 0\nten = add 10, 0\nstore best, ten if first
+        let text = ".program walk\n.state best: int\n.init\nfirst = equal count, 0
+            ten = add 10, 0\nstore best, ten if first
             .kernel\naccumulate x, neighbor.position.x\n.final\nbest_now = add best, 1\nstore best, best_now
-            y = add query.position.y, 1.0\np = vector x, y, 0.0\nmove p\nis_last = less 3, count\nlate = less_or_equal 2, count
+            y = add query.position.y, 1.0\np = vector x, y, 0.0\nmove p
+            is_last = less 3, count\nlate = less_or_equal 2, count
             output best, best\noutput y, query.position.y\noutput x, x\ndone is_last\nsearch late";
         let searches = std::cell::RefCell::new(vec![]);
         let search = |position: [u32; 3]| {
