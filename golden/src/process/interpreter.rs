@@ -164,17 +164,20 @@ mod tests {
         Neighborhood { neighbors: places.iter().map(|&x| words(&[x, 0.0, 0.0])).collect(), farthest: 0 }
     }
 
-    /// 1 + 8·ε/2 is 1 from left to right, but the partial sums keep the small ones apart from the large one.
+    /// From left to right, 1 + ε/2 + ε/2 … would be 1; partial sums and their tree keep small addends apart from the large one.
     #[test]
-    fn sums_are_those_of_eight_partial_sums() {
+    fn sums_are_those_of_a_tree_over_eight_partial_sums() {
         let text = ".program sum\n.kernel\naccumulate x, neighbor.position.x\n.final\noutput x, x\noutput n, neighbors";
-        let half = f32::EPSILON / 2.0;
-        let mut places = vec![1.0];
-        places.extend([half; 16]);
-        let outcome = interpreter(text, 1).run(&words(&[0.0; 3]), |_| on_axis(&places));
-        // p0 = (1 + ε/2) + ε/2 = 1, the others ε each: p0 + p1 = 1 + ε; 2ε; 4ε.
-        assert_eq!(outcome.outputs, [(1.0 + 7.0 * f32::EPSILON).to_bits(), 17]);
-        assert_eq!((outcome.iterations, outcome.capped), (1, false));
+        let sum = |small: usize| {
+            let mut places = vec![1.0];
+            places.extend(vec![f32::EPSILON / 2.0; small]);
+            interpreter(text, 1).run(&words(&[0.0; 3]), |_| on_axis(&places))
+        };
+        // ((1 + ½ε) + (½ε + ½ε)) + 2ε.
+        assert_eq!(sum(7).outputs, [(1.0 + 3.0 * f32::EPSILON).to_bits(), 8]);
+        // p0 = (1 + ½ε) + ½ε = 1, the others are ε: ((1 + ε) + 2ε) + 4ε.
+        assert_eq!(sum(16).outputs, [(1.0 + 7.0 * f32::EPSILON).to_bits(), 17]);
+        assert_eq!((sum(7).iterations, sum(7).capped), (1, false));
     }
 
     #[test]
