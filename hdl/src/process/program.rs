@@ -201,30 +201,4 @@ mod tests {
             assert!(matches!(error, Some(CompileError::InitiationInterval { .. })), "rate {rate}: {error:?}");
         }
     }
-
-    /// Names of a text that mean something in Verilog, or are those of ports.
-    #[test]
-    fn any_name_of_a_text_can_become_hardware() {
-        let names = ["module", "wire", "reg", "in_valid", "out_ready", "clk", "phase", "output_w", "begin", "table"];
-        let lines = |first: &str| -> String {
-            let mut previous = first.to_owned();
-            let line = |name: &&str| {
-                let line = format!("{name} = add {previous}, 1.5\n");
-                previous = (*name).to_owned();
-                line
-            };
-            names.iter().map(line).collect()
-        };
-        let text = format!(
-            ".program endmodule\n.kernel\n{}accumulate input, table\n.final\n{}output w, table\noutput assign, input\n",
-            lines("neighbor.position.x"),
-            lines("input"),
-        );
-        let program = process::Program::parse("names.pasm", &text).unwrap_or_else(|error| panic!("{error}"));
-        for section in [Section::Kernel, Section::Final] {
-            let datapath = datapath(&program, section, Format::F24, 1, &Options::default());
-            let datapath = datapath.unwrap_or_else(|error| panic!("{error}"));
-            elaborate(&datapath.module).unwrap_or_else(|error| panic!("{error}"));
-        }
-    }
 }

@@ -1,8 +1,8 @@
 //! The arithmetic compiler: random programs at every initiation interval, and what sharing and delays must achieve.
 
-mod generator;
+pub mod generator;
 mod interpreter;
-mod model;
+pub mod model;
 mod programs;
 
 use fastrand::Rng;

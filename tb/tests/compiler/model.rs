@@ -16,12 +16,36 @@ pub struct Compiled {
     pub graph: Graph,
     pub manifest: Manifest,
     pub uniforms: Vec<u64>,
+    /// What its results are compared with: the interpreter of graphs, or a model of what the graph was made from.
+    pub golden: Option<Box<dyn Source>>,
+}
+
+/// A model of what a graph was made from, and tokens for it. Inputs and uniforms are in order of declaration.
+pub trait Source {
+    /// A random token.
+    fn token(&self, rng: &mut Rng) -> Vec<u64>;
+    /// Its results.
+    fn results(&self, inputs: &[u64], uniforms: &[u64]) -> Vec<u64>;
 }
 
 impl Compiled {
     /// Types of the ports of one kind.
     fn types(&self, kind: &Operation) -> Vec<Type> {
         types(&self.graph, kind)
+    }
+
+    fn token(&self, rng: &mut Rng) -> Vec<u64> {
+        match &self.golden {
+            Some(golden) => golden.token(rng),
+            None => self.types(&Operation::Input).into_iter().map(|ty| sample(rng, ty)).collect(),
+        }
+    }
+
+    fn results(&self, tables: &[Table], token: &[u64]) -> Option<Vec<u64>> {
+        match &self.golden {
+            Some(golden) => Some(golden.results(token, &self.uniforms)),
+            None => interpret(&self.graph, tables, token, &self.uniforms),
+        }
     }
 }
 
@@ -54,7 +78,7 @@ pub fn compile_all(programs: Vec<(Graph, u32)>, rng: &mut Rng) -> (Design, Vec<C
         let output = top.stream_from(instance, "out");
         top.stream_export(&format!("out_{index}"), &output);
         let uniforms = types(&graph, &Operation::Uniform).into_iter().map(|ty| sample(rng, ty)).collect();
-        compiled.push(Compiled { graph, manifest: datapath.manifest, uniforms });
+        compiled.push(Compiled { graph, manifest: datapath.manifest, uniforms, golden: None });
     }
     (elaborate(&top).unwrap_or_else(|error| panic!("{error}")), compiled)
 }
@@ -122,7 +146,7 @@ impl Golden for Model<'_> {
             }
             let accepted = ready && inputs[unit.in_valid] != 0;
             let token: Vec<u64> = unit.inputs.iter().map(|&port| inputs[port]).collect();
-            let results = accepted.then(|| interpret(&program.graph, self.tables, &token, &program.uniforms)).flatten();
+            let results = accepted.then(|| program.results(self.tables, &token)).flatten();
             unit.datapath.step(results, inputs[unit.out_ready] != 0);
         }
     }
@@ -141,8 +165,7 @@ pub fn run(
     let mut testbench = StreamTestbench::new(library, seed);
     let mut longest = 0;
     for (index, program) in compiled.iter().enumerate() {
-        let types = program.types(&Operation::Input);
-        let items = (0..tokens).map(|_| types.iter().map(|&ty| sample(&mut rng, ty)).collect()).collect();
+        let items = (0..tokens).map(|_| program.token(&mut rng)).collect();
         let fits = "the testbench offers what the program takes";
         testbench = testbench.source(&format!("in_{index}"), items, stall).expect(fits);
         testbench = testbench.sink(&format!("out_{index}"), stall).expect(fits);
