@@ -167,3 +167,19 @@ fn repetitions_end() {
     let words: String = (0..6).map(|index| format!(".state s{index}: float3\n")).collect();
     assert_eq!(error(&format!(".program a\n{words}")), "t:7:8: words of state: 18, expected 16 at most");
 }
+
+/// The page for authors has every operation, and its example is a program.
+#[test]
+fn the_page_has_what_the_language_has() {
+    let page = include_str!("../../../docs/programs.md");
+    let table = page.split("## Operations").nth(1).expect("the page has operations");
+    for name in super::instruction::names() {
+        assert!(table.contains(&format!("`{name}`")), "{name} is missing");
+    }
+    let examples: Vec<&str> =
+        page.split("```pasm").skip(1).map(|rest| rest.split("```").next().unwrap_or("")).collect();
+    assert_eq!(examples.len(), 1);
+    examples.iter().for_each(|example| assert_eq!(parse(example.trim_start()).outputs.len(), 4));
+    let listed = PROGRAMS.iter().filter(|(name, _)| page.contains(&format!("(../programs/{name}.pasm)")));
+    assert_eq!(listed.count(), PROGRAMS.len(), "the page lists the library");
+}

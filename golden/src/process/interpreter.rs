@@ -164,7 +164,8 @@ mod tests {
         Neighborhood { neighbors: places.iter().map(|&x| words(&[x, 0.0, 0.0])).collect(), farthest: 0 }
     }
 
-    /// From left to right, 1 + ε/2 + ε/2 … would be 1; partial sums and their tree keep small addends apart from the large one.
+    /// From left to right, 1 + ε/2 + ε/2 … would be 1; partial sums and their tree keep small addends apart from the
+    /// large one.
     #[test]
     fn sums_are_those_of_a_tree_over_eight_partial_sums() {
         let text = ".program sum\n.kernel\naccumulate x, neighbor.position.x\n.final\noutput x, x\noutput n, neighbors";

@@ -27,7 +27,8 @@ pub const fn interval(section: Section, rate: u32) -> u32 {
     }
 }
 
-/// The data path of a block with floats of `format`, at `rate` cycles a neighbor. An `init` that stores nothing has none.
+/// The data path of a block with floats of `format`, at `rate` cycles a neighbor. An `init` that stores nothing has
+/// none.
 ///
 /// # Errors
 /// What the compiler rejects: a block that gives nothing, a rate of 0 or above 8.

@@ -1,4 +1,5 @@
-//! The golden model of a block, and tokens for it: what real neighborhoods give, with something hard among it now and then.
+//! The golden model of a block, and tokens for it: what real neighborhoods give, with something hard among it now and
+//! then.
 
 use crate::compiler::generator::sample;
 use crate::compiler::model::Source as Compared;
@@ -31,7 +32,10 @@ pub struct Golden {
 
 /// How often each output of one bit was low, and high.
 #[derive(Clone, Default)]
-pub struct Counts(Rc<RefCell<Vec<(String, [u32; 2])>>>);
+pub struct Counts(Rc<RefCell<Vec<Flag>>>);
+
+/// Name of an output, and how often it was low and high.
+type Flag = (String, [u32; 2]);
 
 impl Counts {
     /// Every flag that a program decides on was seen low and high.

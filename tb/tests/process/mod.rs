@@ -1,5 +1,5 @@
-//! Programs of the processing module: every block of the library and of random programs against the golden model, and what
-//! operators they take.
+//! Programs of the processing module: every block of the library and of random programs against the golden model, and
+//! what operators they take.
 
 mod block;
 mod cost;
@@ -24,8 +24,8 @@ struct Case {
     rate: u32,
 }
 
-/// Runs all blocks of programs side by side, hardware and golden model in lockstep; returns how often the flags of each were low and
-/// high.
+/// Runs all blocks of programs side by side, hardware and golden model in lockstep; returns how often the flags of each
+/// were low and high.
 fn agree(cases: Vec<Case>, seed: u64) -> Vec<(String, Counts)> {
     let mut rng = Rng::with_seed(seed);
     let (mut graphs, mut goldens) = (vec![], vec![]);
