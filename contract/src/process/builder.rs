@@ -159,8 +159,8 @@ impl<'a> Builder<'a> {
             _ => return not_here("`.init`"),
         };
         let Some(place) = layout.find(field) else {
-            let known = layout.fields().iter().map(|field| format!("{record}.{}", field.name)).collect();
-            return Err(Fault::Unknown { name: format!("{record}.{field}"), known });
+            let known = layout.fields().iter().map(|field| format!("{record}.{}", field.name));
+            return Err(Fault::unknown(&format!("{record}.{field}"), known));
         };
         Ok(self.source(place, source))
     }
@@ -180,9 +180,7 @@ impl<'a> Builder<'a> {
         }
         known.extend(own.iter().chain(&["query.position"]).map(|&name| name.to_owned()));
         known.push(record.to_owned());
-        known.sort_unstable();
-        known.dedup();
-        Fault::Unknown { name: name.to_owned(), known }
+        Fault::unknown(name, known)
     }
 }
 

@@ -39,11 +39,11 @@ pub enum Fault {
         range: &'static str,
     },
     /// A name that nothing has.
-    #[error("nothing here is called `{name}`; known: {}", .known.join(", "))]
+    #[error("nothing here is called `{name}`; the closest: {}", .known.join(", "))]
     Unknown {
         /// The name.
         name: String,
-        /// Names that would do.
+        /// Names that would do, the most similar first, not too many of them.
         known: Vec<String>,
     },
     /// A value that this block does not see.
@@ -110,7 +110,19 @@ pub enum Fault {
     },
 }
 
+/// Names that an error lists at most.
+const SIMILAR_MAX: usize = 6;
+
 impl Fault {
+    /// A name that nothing has, where these have a meaning.
+    pub(super) fn unknown(name: &str, known: impl IntoIterator<Item = String>) -> Self {
+        let mut known: Vec<String> = known.into_iter().collect();
+        known.sort_by_cached_key(|other| (strsim::osa_distance(name, other), other.clone()));
+        known.dedup();
+        known.truncate(SIMILAR_MAX);
+        Self::Unknown { name: name.to_owned(), known }
+    }
+
     pub(super) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
         Self::Expected { expected: expected.into(), found: found.into() }
     }

@@ -58,7 +58,7 @@ fn assignment(builder: &mut Builder<'_>, cursor: &mut Cursor<'_>, name: &str) ->
     let column = cursor.column();
     let operation = cursor.word("an operation")?;
     let Some(forms) = expected(operation) else {
-        return Err((column, Fault::Unknown { name: operation.to_owned(), known: names() }));
+        return Err((column, Fault::unknown(operation, names())));
     };
     let mut operands = vec![operand(builder, cursor)?];
     while cursor.take_mark(',') {
@@ -100,8 +100,8 @@ fn output(builder: &mut Builder<'_>, cursor: &mut Cursor<'_>) -> Located<()> {
 fn store(builder: &mut Builder<'_>, cursor: &mut Cursor<'_>) -> Located<()> {
     let (column, name) = declared(cursor)?;
     let Some(place) = builder.program.state.find(name) else {
-        let known = builder.program.state.fields().iter().map(|field| field.name.clone()).collect();
-        return Err((column, Fault::Unknown { name: name.to_owned(), known }));
+        let known = builder.program.state.fields().iter().map(|field| field.name.clone());
+        return Err((column, Fault::unknown(name, known)));
     };
     let words = typed(builder, cursor, place.ty, &format!("what is stored to `{name}`"))?.words;
     let condition = condition(builder, cursor)?;

@@ -71,7 +71,7 @@ fn repetitions_are_unrolled_and_pass_on_what_has_an_index() {
     assert_eq!((count(Operation::Multiply), count(Operation::ToFloat)), (3, 3));
     assert_eq!(count(Operation::Literal(Literal::Int(2))), 1, "the variable is a literal");
     let leak = around(".repeat i 0 3\nfactor = to_float i\n.end\naccumulate s3, factor", "output y, s3");
-    assert!(error(&leak).starts_with("t:8:16: nothing here is called `factor`; known: h, "), "{}", error(&leak));
+    assert!(error(&leak).starts_with("t:8:16: nothing here is called `factor`; the closest: h, "), "{}", error(&leak));
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn mistakes_have_a_place_and_a_remedy() {
     }
     let in_kernel = [
         ("x = add h, 1", "t:5:5: `add` of float, int: expected float, float or float3, float3 or int, int"),
-        ("x = plus h, h", "t:5:5: nothing here is called `plus`; known: add, sub, mul, "),
+        ("x = plus h, h", "t:5:5: nothing here is called `plus`; the closest: abs, less, mul, sub, add, and"),
         ("x = add h h", "t:5:11: expected the end of the line, found `h`"),
         ("x = add h,", "t:5:11: expected a value: a name or a number, found the end of the line"),
         ("h = add h, h", "t:5:1: `h` is taken; "),
@@ -121,7 +121,7 @@ fn mistakes_have_a_place_and_a_remedy() {
         ("x = neg h.x", "t:5:9: `h` is float: expected float3 in front of a component"),
         ("x = neg s.w", "t:5:11: expected a component: `x`, `y` or `z`, found `w`"),
         ("x = neg query", "t:5:14: expected `.position` or another field of `query`, found the end of the line"),
-        ("x = neg query.normal", "t:5:9: nothing here is called `query.normal`; known: query.position"),
+        ("x = neg query.normal", "t:5:9: nothing here is called `query.normal`; the closest: query.position"),
         ("x = neg farthest.position", "t:5:9: `.kernel` does not see `farthest`; it is seen in `.init`"),
         ("x = neg count", "t:5:9: `.kernel` does not see `count`; it is seen in `.init` and `.final`"),
         ("x = neg 1e99", "t:5:9: `1e99` is no float: expected 0.0, or magnitudes from 1.2e-38 to 3.4e38"),
@@ -145,7 +145,7 @@ fn mistakes_have_a_place_and_a_remedy() {
         ("output y, w\noutput y, w", "t:8:8: `y` is taken; "),
         ("store s, w", "t:7:10: what is stored to `s` is float: expected float3"),
         ("store s, s\nstore s, s", "t:8:7: `store s` stands here for the second time: expected one"),
-        ("store t, s", "t:7:7: nothing here is called `t`; known: s"),
+        ("store t, s", "t:7:7: nothing here is called `t`; the closest: s"),
         ("done count", "t:7:6: done is int: expected bool"),
         ("done true\ndone true", "t:8:1: `done` stands here for the second time: expected one"),
         ("move s if neighbors", "t:7:11: the condition is int: expected bool"),
