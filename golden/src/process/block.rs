@@ -14,6 +14,9 @@ use pointcore_contract::{Fixed, Format, Signedness};
 /// Bits of an integer in a float's terms.
 const INT: Fixed = Fixed { width: i32::BITS, fraction: 0, signed: Signedness::Signed };
 
+/// Operands of an operation at most.
+const OPERANDS_MAX: usize = 3;
+
 /// The blocks of a program in a number format.
 #[derive(Clone, Debug)]
 pub struct Blocks {
@@ -56,7 +59,8 @@ impl Blocks {
         let block = self.program.block(section);
         let mut values: Vec<u32> = Vec::with_capacity(block.nodes().len());
         for node in block.nodes() {
-            let operands: Vec<u32> = node.operands.iter().map(|id| values[id.index()]).collect();
+            let mut operands = [0; OPERANDS_MAX];
+            operands.iter_mut().zip(&node.operands).for_each(|(operand, id)| *operand = values[id.index()]);
             values.push(match node.operation {
                 Operation::Input(Source::Sum(word)) => {
                     self.sum(node.ty, std::array::from_fn(|partial| read(Source::Sum(word), partial)))

@@ -7,7 +7,7 @@
 
 use super::block::Blocks;
 use pointcore_contract::Format;
-use pointcore_contract::process::{PARTIAL_SUMS, Program, Section, Source, Store};
+use pointcore_contract::process::{PARTIAL_SUMS, Program, Scalar, Section, Source, Store};
 
 /// The neighbors of a query, in the order in which they come.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -35,6 +35,8 @@ pub struct Interpreter {
     blocks: Blocks,
     settings: Vec<u32>,
     iterations_max: u32,
+    /// Types of the sums' words.
+    sums: Vec<Scalar>,
 }
 
 /// What blocks read of a query.
@@ -55,7 +57,8 @@ impl Interpreter {
     pub fn new(program: Program, format: Format, settings: Vec<u32>, iterations_max: u32) -> Self {
         assert_eq!(settings.len(), program.settings.len(), "a word for each of the settings");
         assert!(iterations_max > 0, "a query has an iteration");
-        Self { blocks: Blocks::new(program, format), settings, iterations_max }
+        let sums = program.sums.words().into_iter().map(|word| word.ty).collect();
+        Self { blocks: Blocks::new(program, format), settings, iterations_max, sums }
     }
 
     /// The way of a query, given by its words. `search` answers the neighbors of a position.
@@ -95,12 +98,11 @@ impl Interpreter {
         let values = self.evaluate(Section::Init, query, None);
         store(&mut query.state, &program.block(Section::Init).results().stores, &values);
 
-        let types: Vec<_> = program.sums.words().into_iter().map(|word| word.ty).collect();
-        query.partial = vec![[0; PARTIAL_SUMS]; types.len()];
+        query.partial = vec![[0; PARTIAL_SUMS]; self.sums.len()];
         for index in 0..query.neighbors.neighbors.len() {
             let values = self.evaluate(Section::Kernel, query, Some(index));
             let addends = &program.block(Section::Kernel).results().addends;
-            for ((partial, &ty), addend) in query.partial.iter_mut().zip(&types).zip(addends) {
+            for ((partial, &ty), addend) in query.partial.iter_mut().zip(&self.sums).zip(addends) {
                 let partial = &mut partial[index % PARTIAL_SUMS];
                 *partial = self.blocks.add(ty, *partial, values[addend.index()]);
             }
