@@ -1,6 +1,6 @@
 //! Covariance and its smallest eigenvector against Jacobi's method in f64.
 
-use super::surfaces::{ALL, Place, SURFACES, Shape, places};
+use super::surfaces::{ALL, Place, SURFACES, Shape, far, places};
 use super::weights::{Sums, theta};
 use super::{FORMATS, Operator, Point, random, rounded, unit};
 use glam::{DMat3, DVec3};
@@ -147,11 +147,8 @@ fn directions_and_shares_are_those_of_f64() {
 #[test]
 fn far_from_the_origin_nothing_cancels() {
     let mut random = random();
-    let origin = DVec3::new(1e5, -1e5, 1e5);
     for shape in SURFACES {
-        // Spacing is a tenth: coordinates are a million times as large, and points lie on the lattice of their last
-        // places.
-        let place = Place { points: 24, size: 0.5, scale: 1.0, origin };
+        let place = far();
         let operator = Operator::new("covariance", super::Format::F32, &[1.0 / 0.3, LEAST_SPREAD]);
         for _ in 0..20 {
             let (query, cloud) = shape.neighborhood(&mut random, super::Format::F32, place);

@@ -1,6 +1,6 @@
 //! Projection onto planes, for surfaces and for patterns on them, iteration by iteration against f64.
 
-use super::surfaces::{SURFACES, Shape, places};
+use super::surfaces::{SURFACES, Shape, far, places};
 use super::weights::{Sums, theta};
 use super::{FORMATS, Format, Operator, Point, decode, encode, random, unit};
 use glam::DVec3;
@@ -31,8 +31,7 @@ fn every_iteration_is_that_of_f64() {
     let mut compared = 0;
     for format in FORMATS {
         let u = unit(format);
-        let far = super::surfaces::Place { points: 24, size: 0.5, scale: 1.0, origin: DVec3::new(1e5, -1e5, 1e5) };
-        let far = (format.mantissa == Format::F32.mantissa).then_some(far);
+        let far = (format.mantissa == Format::F32.mantissa).then(far);
         for place in places().into_iter().chain(far) {
             let radius = 1.3 * place.size * place.scale;
             let operator = Operator::new("mls", format, &[1.0 / (radius * radius), 1e-9 * place.scale]);

@@ -92,6 +92,11 @@ pub struct Place {
     pub origin: DVec3,
 }
 
+/// Coordinates a million times the spacing of points, which is a tenth: points lie on the lattice of last places of `f32`.
+pub fn far() -> Place {
+    Place { points: 24, size: 0.5, scale: 1.0, origin: DVec3::new(1e5, -1e5, 1e5) }
+}
+
 /// Near the origin, at three scales.
 pub fn places() -> Vec<Place> {
     let place = |points, size, scale| Place { points, size, scale, origin: DVec3::ZERO };
