@@ -13,8 +13,9 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Settings are positive, and of the order of one.
-const SETTING_MAX: f64 = 0.6;
+/// Settings are between these: neighbors lie on both sides of `1/√inverse_radius2`, neighborhoods on both of
+/// `least_spread`.
+const SETTINGS: [f64; 2] = [0.02, 0.2];
 /// Neighbors of a query at most.
 const NEIGHBORS_MAX: usize = 20;
 /// One token of so many is of nothing but random bits, and one has a word of them.
@@ -132,7 +133,7 @@ fn encode(format: Format, value: f64) -> u32 {
 /// Settings under which little is degenerate.
 pub fn settings(program: &Program, format: Format, rng: &mut Rng) -> Vec<u32> {
     let value = |ty| match ty {
-        Scalar::Float => encode(format, rng.f64() * SETTING_MAX),
+        Scalar::Float => encode(format, SETTINGS[0] + rng.f64() * (SETTINGS[1] - SETTINGS[0])),
         _ => tame(rng, format, ty),
     };
     program.settings.words().into_iter().map(|word| word.ty).map(value).collect()
