@@ -19,7 +19,7 @@ use rtl::{Expr, Module, bit, lit};
 /// What becomes of results in a cycle.
 pub(super) struct Copy {
     /// An entry is given to the neighborhood at the head.
-    pub start: Chosen,
+    pub starts: Expr,
     /// The entry that is copied to.
     pub target: Chosen,
     /// A query is answered, and its entry complete but for the comparison value.
@@ -43,9 +43,10 @@ pub(super) fn copy(
     let QueryResult { number: ticket, last, found: is_found, index, distance2 } = found.record;
     let copying = m.reg_reset("copying", 1, 0);
     let starts = m.wire("copy_starts", (found.valid & !copying) & (entries.victim.valid & !hits));
+    // What counts from the start on is taken in every cycle before: nothing of that waits for the victim to be known.
     let target = m.reg("copy_entry", config.entry_bits());
-    m.next_if(target, starts, entries.victim.entry);
-    let Searched { query, leading } = tickets.query(m, config, starts, ticket);
+    m.next_if(target, !copying, entries.victim.entry);
+    let Searched { query, leading } = tickets.query(m, config, found.valid & !copying, ticket);
 
     let ready = m.wire("copy_ready", copying & (!last | (room & !hits)));
     m.drive(found.ready, ready);
@@ -60,8 +61,8 @@ pub(super) fn copy(
     let total = m.wire("copy_total", rank + is_found.zext(rank_bits));
     let latest = is_found.mux(distance2, previous);
     let zero = lit(distance2.width(), 0);
-    m.next_if(rank, starts | stores, starts.mux(lit(rank_bits, 0), total));
-    m.next_if(previous, starts | stores, starts.mux(zero, distance2));
+    m.next_if(rank, !copying | stores, copying.mux(total, lit(rank_bits, 0)));
+    m.next_if(previous, !copying | stores, copying.mux(distance2, zero));
     let place = Chosen { valid: stores, entry: target.expr() };
     neighborhoods.store(m, config, place, *rank, Neighbor { index, distance2 });
 
@@ -84,7 +85,6 @@ pub(super) fn copy(
         near2: is_ball.mux(zero, near2),
         leading,
     };
-    let start = Chosen { valid: starts, entry: entries.victim.entry };
     let target = Chosen { valid: copying.expr(), entry: target.expr() };
-    Copy { start, target, end: Answer { by: end, number: query.number }, reach, ticket }
+    Copy { starts, target, end: Answer { by: end, number: query.number }, reach, ticket }
 }

@@ -28,8 +28,8 @@ pub(super) struct Uses {
     pub setup: Expr,
     /// A query is answered from an entry.
     pub hit: Chosen,
-    /// An entry is given to another neighborhood.
-    pub start: Chosen,
+    /// The victim is given to another neighborhood.
+    pub start: Expr,
     /// It has all of it, and is to be delivered.
     pub end: Chosen,
     /// Its comparison value is known.
@@ -50,6 +50,8 @@ pub(super) struct Entries {
     older: Vec<Reg>,
     /// The least recently used entry that is neither read nor written; valid if there is one.
     pub victim: Chosen,
+    /// The same as a set.
+    victims: Expr,
 }
 
 /// The member of `eligible` that was used before all others of it, alone.
@@ -85,10 +87,10 @@ impl Entries {
         let read = set(&readers.iter().map(|readers| readers.any()).collect::<Vec<_>>());
         let eligible = m.wire("eligible", !(read | writing));
         let chosen = oldest(m, eligible, &older);
-        let chosen = m.wire("oldest", chosen);
-        let victim = m.wire("victim", index_of(chosen, config.entry_bits()));
+        let victims = m.wire("oldest", chosen);
+        let victim = m.wire("victim", index_of(victims, config.entry_bits()));
         let victim = Chosen { valid: eligible.any(), entry: victim };
-        Self { present, writing, stale, versions, readers, older, victim }
+        Self { present, writing, stale, versions, readers, older, victim, victims }
     }
 
     /// Whether the entry holds a neighborhood that may be reused.
@@ -103,17 +105,12 @@ impl Entries {
 
     /// The entries as they are after a cycle. A hit and a start never come together.
     pub fn update(self, m: &mut Module, uses: &Uses) {
-        let Self { present, writing, stale, versions, readers, older, .. } = self;
+        let Self { present, writing, stale, versions, readers, older, victims, .. } = self;
         let count = present.width();
-        let events = [
-            ("hit", uses.hit),
-            ("start", uses.start),
-            ("end", uses.end),
-            ("judged", uses.judged),
-            ("release", uses.release),
-        ];
-        let [hit, start, end, judged, release] =
+        let events = [("hit", uses.hit), ("end", uses.end), ("judged", uses.judged), ("release", uses.release)];
+        let [hit, end, judged, release] =
             events.map(|(name, chosen)| m.wire(&format!("{name}_set"), decode(chosen.valid, chosen.entry, count)));
+        let start = m.wire("start_set", victims & uses.start.repeat(count));
         let setup = uses.setup.repeat(count);
         m.next(present, ((present & !start) | (judged & !stale)) & !setup);
         m.next(writing, (writing | start) & !judged);

@@ -83,7 +83,7 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     follow.update(&mut m, config, &role, finished);
 
     tickets.update(&mut m, config, &check, copy.end.by.valid, copy.ticket);
-    let uses = Uses { setup: setup.valid, hit: hit.by, start: copy.start, end: copy.end.by, judged, release };
+    let uses = Uses { setup: setup.valid, hit: hit.by, start: copy.starts, end: copy.end.by, judged, release };
     entries.update(&mut m, &uses);
     Ok(NeighborCache { module: m, check: check.manifest, cover })
 }
