@@ -14,23 +14,28 @@ enum State {
     Ready,
     /// It goes before those that become ready later.
     Due,
+    /// It goes next: the stage v.
+    Chosen,
 }
 
 /// The followers.
 #[derive(Clone, Debug)]
 pub(super) struct Follow {
     followers: Vec<(State, CachedQuery)>,
+    /// Where the next query that follows goes.
+    free: Option<usize>,
+    chosen: Option<usize>,
     /// The query that is compared next: the stage w.
     next: Option<CachedQuery>,
 }
 
 impl Follow {
     pub(super) fn new(config: &Config) -> Self {
-        Self { followers: vec![Default::default(); config.followers() as usize], next: None }
+        Self { followers: vec![Default::default(); config.followers() as usize], free: None, chosen: None, next: None }
     }
 
-    pub(super) fn has_room(&self) -> bool {
-        self.followers.iter().any(|(state, _)| *state == State::Free)
+    pub(super) const fn has_room(&self) -> bool {
+        self.free.is_some()
     }
 
     /// The query that is compared next, if there is one.
@@ -47,16 +52,24 @@ impl Follow {
                 *state = State::Due;
             }
         }
-        if self.next.is_none() || leaves {
-            self.next = due.map(|due| {
-                self.followers[due].0 = State::Free;
-                self.followers[due].1
+        let reads = self.next.is_none() || leaves;
+        let chooses = self.chosen.is_none() || reads;
+        if reads {
+            self.next = self.chosen.map(|chosen| {
+                self.followers[chosen].0 = State::Free;
+                self.followers[chosen].1
             });
         }
-        if let Some((query, leader)) = enters {
-            let free = free.expect("a query follows only if there is room");
-            self.followers[free] = (State::WaitsFor(leader), query);
+        if chooses {
+            self.chosen = due;
+            due.into_iter().for_each(|due| self.followers[due].0 = State::Chosen);
         }
+        if let Some((query, leader)) = enters {
+            let place = &mut self.followers[self.free.expect("a query follows only if there is room")];
+            assert_eq!(place.0, State::Free, "queries follow some cycles apart");
+            *place = (State::WaitsFor(leader), query);
+        }
+        self.free = free;
         for (state, _) in &mut self.followers {
             if matches!(state, State::WaitsFor(leader) if finished.contains(leader)) {
                 *state = State::Ready;

@@ -18,11 +18,19 @@ pub(super) struct Follow {
     ready: Reg,
     /// Who goes before those that become ready later.
     due: Reg,
+    /// Who goes next, alone: the number is known a cycle before the query is read.
+    chosen: Reg,
+    /// Where the next query that follows goes, alone.
+    free: Reg,
+    free_number: Reg,
     /// For each whom it follows.
     leaders: Vec<Reg>,
     queries: Memory,
-    /// The one that is read, alone.
-    read: Expr,
+    /// The chosen one's query is read in this cycle.
+    reads: Expr,
+    /// Another is chosen in this cycle, of those that are due the first, alone.
+    chooses: Expr,
+    first: Expr,
     /// A query can follow in this cycle.
     pub has_room: Expr,
     /// A query waits to be compared.
@@ -35,38 +43,69 @@ impl Follow {
     /// None after reset; the next one leaves where there is `room`.
     pub fn new(m: &mut Module, config: &Config, room: Expr) -> Self {
         let count = config.followers();
-        let [waits, ready, due] = ["waits", "follower_ready", "due"].map(|name| m.reg_reset(name, count, 0));
+        let [waits, ready, due, chosen] =
+            ["waits", "follower_ready", "due", "chosen"].map(|name| m.reg_reset(name, count, 0));
         let leaders = (0..count).map(|follower| m.reg(&format!("follows_{follower}"), config.leader_bits())).collect();
         let bits = address_width(count);
         let queries = m.memory("followers", 1 << bits, width::<CachedQuery>(config));
         let has_next = m.reg_reset("has_next", 1, 0);
+        let has_chosen = m.reg_reset("has_chosen", 1, 0);
+        let number = m.reg("chosen_number", bits);
         let takes = m.wire("next_taken", !has_next | room);
-        let first = m.wire("first_due", lowest(due));
-        m.next_if(has_next, takes, due.any());
-        let reads = m.wire("reads_follower", takes & due.any());
-        let next = m.read_if(queries, "next", reads, index_of(first, bits));
+        m.next_if(has_next, takes, has_chosen);
+        let reads = m.wire("reads_follower", takes & has_chosen);
+        let next = m.read_if(queries, "next", reads, number);
         let next = CachedQuery::unpack(config, next);
-        let read = m.wire("follower_read", first & takes.repeat(count));
-        Self { waits, ready, due, leaders, queries, read, has_room: !waits.all(), has_next, next }
+
+        let chooses = m.wire("chooses_follower", takes | !has_chosen);
+        let first = m.wire("first_due", lowest(due));
+        m.next_if(has_chosen, chooses, due.any());
+        m.next_if(chosen, chooses, first);
+        m.next_if(number, chooses, index_of(first, bits));
+
+        let has_room = m.reg_reset("has_free_follower", 1, 0);
+        let free = m.reg("free_follower", count);
+        let free_number = m.reg("free_follower_number", bits);
+        let first_free = m.wire("first_free_follower", lowest(!waits));
+        m.next(has_room, !waits.all());
+        m.next(free, first_free);
+        m.next(free_number, index_of(first_free, bits));
+        let has_room = has_room.expr();
+        Self {
+            waits,
+            ready,
+            due,
+            chosen,
+            free,
+            free_number,
+            leaders,
+            queries,
+            reads,
+            chooses,
+            first,
+            has_room,
+            has_next,
+            next,
+        }
     }
 
     /// The followers as they are after a cycle.
     pub fn update(self, m: &mut Module, config: &Config, role: &Role, finished: [Finished; 2]) {
-        let Self { waits, ready, due, leaders, queries, read, .. } = self;
+        let Self { waits, ready, due, chosen, free, free_number, leaders, queries, reads, chooses, first, .. } = self;
         let count = waits.width();
-        let free = m.wire("free_follower", lowest(!waits));
-        m.write(queries, role.follows, index_of(free, address_width(count)), role.asked.query.pack(config));
+        m.write(queries, role.follows, free_number, role.asked.query.pack(config));
         let enters = m.wire("follower_enters", free & role.follows.repeat(count));
         let finishes = |leader: Expr| finished.iter().fold(bit(false), |any, finished| any | finished.is(leader));
         let met = set(&leaders.iter().map(|leader| finishes(leader.expr())).collect::<Vec<_>>());
-        let unmet = waits & !(ready | due);
+        let unmet = waits & !(ready | due | chosen);
         let becomes = m.wire("becomes_ready", (unmet & met) | (enters & finishes(role.followed).repeat(count)));
         for (follower, leader) in (0..).zip(leaders) {
             m.next_if(leader, enters.bit(follower), role.followed);
         }
         let is_due = due.any().repeat(count);
-        m.next(waits, (waits & !read) | enters);
+        m.next(waits, (waits & !(chosen & reads.repeat(count))) | enters);
         m.next(ready, (ready & is_due) | becomes);
-        m.next(due, (due & !read) | (ready & !is_due));
+        m.next(due, (due & !(first & chooses.repeat(count))) | (ready & !is_due));
+        m.assert("a_follower_enters_where_none_waits", (enters & waits).is_zero());
     }
 }
