@@ -98,7 +98,7 @@ impl Follow {
         let finishes = |leader: Expr| finished.iter().fold(bit(false), |any, finished| any | finished.is(leader));
         let met = set(&leaders.iter().map(|leader| finishes(leader.expr())).collect::<Vec<_>>());
         let unmet = waits & !(ready | due | chosen);
-        let becomes = m.wire("becomes_ready", (unmet & met) | (enters & finishes(role.followed).repeat(count)));
+        let becomes = m.wire("becomes_ready", (unmet & met) | (enters & role.finishes.repeat(count)));
         for (follower, leader) in (0..).zip(leaders) {
             m.next_if(leader, enters.bit(follower), role.followed);
         }

@@ -63,6 +63,8 @@ pub(super) struct Role {
     pub follows: Expr,
     /// For this one.
     pub followed: Expr,
+    /// That one finishes in this cycle.
+    pub finishes: Expr,
     /// It is compared.
     pub leads: Expr,
     /// The query, as one that leads.
@@ -143,7 +145,8 @@ pub(super) fn lead(
     m.drive(taken, follows | leads);
     m.drive(queries.ready, taken);
     let bits = config.leader_bits();
-    let followed = m.wire("followed", index_of(lowest(candidates), bits));
+    let first = m.wire("first_candidate", lowest(candidates));
+    let followed = m.wire("followed", index_of(first, bits));
 
     let free = m.wire("free_leader", lowest(!leaders.unfinished));
     let becomes = m.wire("becomes_leader", free & leads.repeat(count));
@@ -159,7 +162,8 @@ pub(super) fn lead(
     m.assert("finished_leaders_were_none_before", (gone & !leaders.unfinished).is_zero());
     grid.update(m, measured, setup);
     let leading = Leading { leads: free.any(), leader: index_of(free, bits) };
-    Role { follows, followed, leads, asked: Asked { query: queries.record, leading } }
+    let finishes = (first & gone).any();
+    Role { follows, followed, finishes, leads, asked: Asked { query: queries.record, leading } }
 }
 
 /// A query that others do not wait for.

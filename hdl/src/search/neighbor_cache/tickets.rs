@@ -55,9 +55,10 @@ impl Tickets {
         m.next_if(self.next, takes, index_of(lowest, bits));
         m.assert("a_miss_has_a_ticket", !check.misses | self.any);
         let returned = decode(returns, number.trunc(bits), count);
-        let [enters, answered, returns] =
-            [check.enters, check.answered, returns].map(|change| change.zext(self.under_way.width()));
-        m.next(self.under_way, self.under_way + enters - answered - returns);
+        let [answered, returns] = [check.answered, returns].map(|change| change.zext(self.under_way.width()));
+        // Whether a query enters is known last.
+        let left = m.wire("still_under_way", self.under_way - answered - returns);
+        m.next(self.under_way, check.enters.mux(left.add_lit(1), left));
         m.next(self.taken, (self.taken | (lowest & takes.repeat(count))) & !returned);
     }
 }
