@@ -47,6 +47,8 @@ pub struct NeighborCache {
     setup: CacheSetup,
     lead: Lead,
     follow: Follow,
+    /// Leaders whose fate has become known in the cycle before.
+    finished: Vec<usize>,
     check: Check,
     tickets: Tickets,
     search: Skid<Query>,
@@ -66,6 +68,7 @@ impl NeighborCache {
             setup: CacheSetup::default(),
             lead: Lead::new(config),
             follow: Follow::new(config),
+            finished: Vec::new(),
             check: Check::new(config.geometry, latencies.check),
             tickets: Tickets::new(config.tickets()),
             search: Skid::default(),
@@ -109,7 +112,8 @@ impl NeighborCache {
             Some(Verdict::Hit { asked, .. }) => asked.leader,
             _ => None,
         };
-        let finished: Vec<_> = hit.into_iter().chain(self.copy.finished()).collect();
+        let finishing = hit.into_iter().chain(self.copy.finished()).collect();
+        let finished = std::mem::replace(&mut self.finished, finishing);
         let measured = verdict.and_then(|_| self.check.margin());
         self.lead.clock(inputs.query, role, measured, &finished, inputs.setup.is_some());
         let (enters, leads) = match role {

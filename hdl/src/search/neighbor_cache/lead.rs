@@ -44,6 +44,15 @@ impl Finished {
         Self { valid: valid & leading.leads, leader: leading.leader }
     }
 
+    /// The same a cycle later.
+    pub fn register(self, m: &mut Module, name: &str) -> Self {
+        let valid = m.reg_reset(&format!("{name}_finishes"), 1, 0);
+        let leader = m.reg(&format!("{name}_leader"), self.leader.width());
+        m.next(valid, self.valid);
+        m.next(leader, self.leader);
+        Self { valid: valid.expr(), leader: leader.expr() }
+    }
+
     /// Whether this leader is it.
     pub fn is(self, leader: Expr) -> Expr {
         self.valid & self.leader.eq(leader)

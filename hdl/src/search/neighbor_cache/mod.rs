@@ -74,7 +74,8 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
         covers.judge(&mut m, config, options, settings, (copy.end.by.valid, copy.reach))?;
     let release = deliveries.send(&mut m, config, [hit, copy.end], &neighborhoods);
 
-    let finished = [check.finished, delivered];
+    let finished = [("hit", check.finished), ("delivered", delivered)];
+    let finished = finished.map(|(name, finished)| finished.register(&mut m, name));
     let follow = Follow::new(&mut m, config, pushed.room);
     let room = Room { to_follow: follow.has_room, to_lead: pushed.room & !follow.has_next };
     let role = lead(&mut m, config, room, finished, (check.measured, setup.valid));
