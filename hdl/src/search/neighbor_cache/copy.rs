@@ -72,9 +72,13 @@ pub(super) fn copy(
     let [none_left, one_left, two_left] = [0, 1, 2].map(left);
     let full = m.wire("copy_full", is_found.mux(one_left, none_left));
     let one_less = is_found.mux(two_left, one_left);
-    let surplus = full & !is_ball;
     let end = Chosen { valid: ends, entry: target.expr() };
-    neighborhoods.close(m, end, total - surplus.zext(rank_bits));
+    // The same for whether the last one is left out.
+    let less_surplus = |left: Expr, less: Expr, count: Expr| (left & !is_ball).mux(less, count);
+    let rank = rank.expr();
+    let with_last = less_surplus(one_left, rank, rank.add_lit(1));
+    let without = less_surplus(none_left, rank.sub_lit(1), rank);
+    neighborhoods.close(m, end, is_found.mux(with_last, without));
 
     let radius2 = query.radius2;
     let near2 = full.mux(previous, one_less.mux(latest, radius2));

@@ -18,11 +18,10 @@ pub(super) struct Follow {
     ready: Reg,
     /// Who goes before those that become ready later.
     due: Reg,
-    /// Who goes next, alone: the number is known a cycle before the query is read.
+    /// Who goes next, alone: known a cycle before the query is read.
     chosen: Reg,
     /// Where the next query that follows goes, alone.
     free: Reg,
-    free_number: Reg,
     /// For each whom it follows.
     leaders: Vec<Reg>,
     queries: Memory,
@@ -50,50 +49,30 @@ impl Follow {
         let queries = m.memory("followers", 1 << bits, width::<CachedQuery>(config));
         let has_next = m.reg_reset("has_next", 1, 0);
         let has_chosen = m.reg_reset("has_chosen", 1, 0);
-        let number = m.reg("chosen_number", bits);
         let takes = m.wire("next_taken", !has_next | room);
         m.next_if(has_next, takes, has_chosen);
         let reads = m.wire("reads_follower", takes & has_chosen);
-        let next = m.read_if(queries, "next", reads, number);
+        let next = m.read_if(queries, "next", reads, index_of(chosen, bits));
         let next = CachedQuery::unpack(config, next);
 
         let chooses = m.wire("chooses_follower", takes | !has_chosen);
         let first = m.wire("first_due", lowest(due));
         m.next_if(has_chosen, chooses, due.any());
         m.next_if(chosen, chooses, first);
-        m.next_if(number, chooses, index_of(first, bits));
 
         let has_room = m.reg_reset("has_free_follower", 1, 0);
         let free = m.reg("free_follower", count);
-        let free_number = m.reg("free_follower_number", bits);
-        let first_free = m.wire("first_free_follower", lowest(!waits));
         m.next(has_room, !waits.all());
-        m.next(free, first_free);
-        m.next(free_number, index_of(first_free, bits));
+        m.next(free, lowest(!waits));
         let has_room = has_room.expr();
-        Self {
-            waits,
-            ready,
-            due,
-            chosen,
-            free,
-            free_number,
-            leaders,
-            queries,
-            reads,
-            chooses,
-            first,
-            has_room,
-            has_next,
-            next,
-        }
+        Self { waits, ready, due, chosen, free, leaders, queries, reads, chooses, first, has_room, has_next, next }
     }
 
     /// The followers as they are after a cycle.
     pub fn update(self, m: &mut Module, config: &Config, role: &Role, finished: [Finished; 2]) {
-        let Self { waits, ready, due, chosen, free, free_number, leaders, queries, reads, chooses, first, .. } = self;
+        let Self { waits, ready, due, chosen, free, leaders, queries, reads, chooses, first, .. } = self;
         let count = waits.width();
-        m.write(queries, role.follows, free_number, role.asked.query.pack(config));
+        m.write(queries, role.follows, index_of(free, address_width(count)), role.asked.query.pack(config));
         let enters = m.wire("follower_enters", free & role.follows.repeat(count));
         let finishes = |leader: Expr| finished.iter().fold(bit(false), |any, finished| any | finished.is(leader));
         let met = set(&leaders.iter().map(|leader| finishes(leader.expr())).collect::<Vec<_>>());

@@ -97,15 +97,14 @@ impl Leaders {
         Self { unfinished, comparable, places: (0..count).map(place).collect() }
     }
 
-    /// Those near a place.
-    fn near(&self, m: &mut Module, grid: &Grid, aligned: Expr, place: [Reg; 3]) -> Expr {
-        let is_near = |leader: &[Reg; 3]| {
-            let axes = place.iter().zip(leader).map(|(a, b)| grid.is_near(a.expr(), b.expr()));
-            axes.fold(bit(true), |all, axis| all & axis)
-        };
-        let near = set(&self.places.iter().map(is_near).collect::<Vec<_>>());
-        let comparable = (aligned & grid.known).repeat(near.width()) & self.comparable;
-        m.wire("near_now", near & comparable)
+    /// Those near a place, for each axis; together they are those near it.
+    fn near(&self, grid: &Grid, aligned: Expr, place: [Reg; 3]) -> [Expr; 3] {
+        let near: [Expr; 3] = std::array::from_fn(|axis| {
+            let is_near = |leader: &[Reg; 3]| grid.is_near(place[axis].expr(), leader[axis].expr());
+            set(&self.places.iter().map(is_near).collect::<Vec<_>>())
+        });
+        let comparable = (aligned & grid.known).repeat(near[0].width()) & self.comparable;
+        [near[0] & comparable, near[1], near[2]]
     }
 }
 
@@ -143,11 +142,14 @@ pub(super) fn lead(
         m.next_if(place, places, grid.place(point[axis], shift));
         place
     });
-    let near = m.reg("near", count);
-    let near_now = leaders.near(m, &grid, aligned.expr(), place);
-    m.next_if(near, compares, near_now);
+    let near = leaders.near(&grid, aligned.expr(), place);
+    let near: [Reg; 3] = std::array::from_fn(|axis| {
+        let register = m.reg(&format!("near_{}", AXES[axis]), count);
+        m.next_if(register, compares, near[axis]);
+        register
+    });
 
-    let candidates = m.wire("candidates", near & leaders.unfinished);
+    let candidates = m.wire("candidates", (near[0] & near[1]) & (near[2] & leaders.unfinished));
     let is_near = candidates.any();
     let follows = m.wire("follows", decides & (is_near & room.to_follow));
     let leads = m.wire("leads", decides & (!is_near & room.to_lead));
