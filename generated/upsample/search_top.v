@@ -3613,13 +3613,19 @@ module search_neighbor_cache (
     reg d1_found;  // There is a neighbor.
     reg d1_cached;  // The neighborhood is reused.
     wire [55:0] neighbor;
-    reg [31:0] waits, follower_ready, due;
+    reg hit_finishes;
+    reg [3:0] hit_leader;
+    reg delivered_finishes;
+    reg [3:0] delivered_leader;
+    reg [31:0] waits, follower_ready, due, chosen;
     reg [3:0] follows_0, follows_1, follows_2, follows_3, follows_4, follows_5, follows_6, follows_7, follows_8;
     reg [3:0] follows_9, follows_10, follows_11, follows_12, follows_13, follows_14, follows_15, follows_16;
     reg [3:0] follows_17, follows_18, follows_19, follows_20, follows_21, follows_22, follows_23, follows_24;
     reg [3:0] follows_25, follows_26, follows_27, follows_28, follows_29, follows_30, follows_31;
-    reg has_next;
+    reg has_next, has_chosen;
     wire [189:0] next;
+    reg has_free_follower;
+    reg [31:0] free_follower;
     reg [1:0] lead_step;
     reg grid_known;
     reg [7:0] grid_unit;
@@ -3642,7 +3648,7 @@ module search_neighbor_cache (
     reg [5:0] lead_z_amount;
     reg lead_z_inside;
     reg [11:0] lead_z_place;
-    reg [15:0] near;
+    reg [15:0] near_x, near_y, near_z;
 
     wire deliver_queue_in_ready, deliver_queue_out_valid;
     wire [27:0] deliver_queue_out_data;
@@ -3684,26 +3690,22 @@ module search_neighbor_cache (
     wire d_advance = ~d1_valid | result_queue_in_ready;
     wire d0_reads = d0_valid & d_advance;
     wire copy_ends = copy_takes & found_queue_out_last;
-    wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
-    wire reach_near2_same = (copy_rank + 6'd1) == ticket_query[138:133];
-    wire copy_full = found_queue_out_found ? reach_near2_same : (copy_rank == ticket_query[138:133]);
+    wire [5:0] copy_rank_plus_1 = copy_rank + 6'd1;
+    wire copy_full_same = copy_rank_plus_1 == ticket_query[138:133];
+    wire copy_full_same_2 = copy_rank == ticket_query[138:133];
     wire deliver_queue_out_ready = ~d0_valid;
     wire d0_takes = deliver_queue_out_ready & deliver_queue_out_valid;
     wire [2:0] deliver_queue_out_entry = deliver_queue_out_data[27:25];
     wire miss = open & (j_last & ~hit);
     wire misses = miss & search_queue_in_ready;
     wire [162:0] asked_head = asked[asked_read_address];
-    wire [7:0] eligible_bits = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
-    wire [7:0] eligible = ~(eligible_bits | writing);
-    wire copy_starts = found_queue_out_valid & ~copying & (|eligible & ~hits);
+    wire copy_starts_both = found_queue_out_valid & ~copying;
     wire [23:0] found_queue_out_number = found_queue_out_data[81:58];
     wire leads_both = query_queue_out_valid & (lead_step == 2'd3);
-    wire [15:0] candidates = near & unfinished;
-    wire follows = leads_both & (|candidates & ~(&waits));
-    wire [31:0] free_follower = ~waits & (32'd0 - ~waits);
+    wire [15:0] candidates = near_x & near_y & (near_z & unfinished);
+    wire follows = leads_both & (|candidates & has_free_follower);
     wire next_taken = ~has_next | asks_in_ready;
-    wire reads_follower = next_taken & |due;
-    wire [31:0] first_due = due & (32'd0 - due);
+    wire reads_follower = next_taken & has_chosen;
     wire leads = leads_both & (~(|candidates) & (asks_in_ready & ~has_next));
     wire [23:0] query_queue_out_number = query_queue_out_data[189:166];
     wire [5:0] query_queue_out_k = query_queue_out_data[165:160];
@@ -3722,6 +3724,8 @@ module search_neighbor_cache (
     wire leaves = j_valid & ~((hit & ~hits) | (miss & ~misses));
     wire j_advance = ~j_valid | leaves;
     wire query_taken = follows | leads;
+    wire [7:0] eligible_bits = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
+    wire [7:0] eligible = ~(eligible_bits | writing);
     wire [7:0] before_7 = eligible & {1'd0, older_than_7};
     wire [7:0] before_6 = eligible & {~older_than_7[6], 1'd0, older_than_6};
     wire [7:0] before_5 = eligible & {~older_than_7[5], ~older_than_6[5], 1'd0, older_than_5};
@@ -3749,12 +3753,8 @@ module search_neighbor_cache (
         eligible[4] & (before_4 == 8'd0), eligible[3] & (before_3 == 8'd0), eligible[2] & (before_2 == 8'd0),
         eligible[1] & (before_1 == 8'd0), eligible[0] & (before_0 == 8'd0)
     };
-    wire [2:0] victim = {|(oldest & 8'd240), |(oldest & 8'd204), |(oldest & 8'd170)};
-    wire [7:0] start_set = {
-        copy_starts & (victim == 3'd7), copy_starts & (victim == 3'd6), copy_starts & (victim == 3'd5),
-        copy_starts & (victim == 3'd4), copy_starts & (victim == 3'd3), copy_starts & (victim == 3'd2),
-        copy_starts & (victim == 3'd1), copy_starts & (victim == 3'd0)
-    };
+    wire copy_starts = copy_starts_both & (|eligible & ~hits);
+    wire [7:0] start_set = oldest & {8{copy_starts}};
     wire [7:0] judged_set = {
         judge_out_valid & (judge_out_entry == 3'd7), judge_out_valid & (judge_out_entry == 3'd6),
         judge_out_valid & (judge_out_entry == 3'd5), judge_out_valid & (judge_out_entry == 3'd4),
@@ -3801,6 +3801,7 @@ module search_neighbor_cache (
     };
     wire enters = issues & first_entry;
     wire asked_pops = leaves & j_last;
+    wire [4:0] still_under_way = (under_way - {4'd0, asked_pops & ~misses}) - {4'd0, copy_ends};
     wire [7:0] present_shifted_by_next_entry = present >> next_entry;
     wire [7:0] i1_version_choice = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
     wire [7:0] i1_version_choice_2 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
@@ -3814,51 +3815,51 @@ module search_neighbor_cache (
     wire reusable_same = check_out_version == (check_out_entry[2] ? reusable_choice : reusable_choice_2);
     wire reusable = check_out_present & reusable_shifted[0] & reusable_same;
     wire matched = check_out_covered & reusable;
-    wire copy_starts_or_copy_stores = copy_starts | copy_stores;
+    wire [2:0] victim = {|(oldest & 8'd240), |(oldest & 8'd204), |(oldest & 8'd170)};
+    wire not_copying_or_copy_stores = ~copying | copy_stores;
+    wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
     wire [31:0] found_queue_out_distance2 = found_queue_out_data[31:0];
-    wire reach_near2_choice = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[138:133]) : reach_near2_same;
+    wire copy_full = found_queue_out_found ? copy_full_same : copy_full_same_2;
+    wire reach_near2_choice = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[138:133]) : copy_full_same;
     wire [31:0] reach_near2_choice_2 = found_queue_out_found ? found_queue_out_distance2 : copy_previous;
     wire [31:0] reach_near2_choice_3 = reach_near2_choice ? reach_near2_choice_2 : ticket_query[132:101];
     wire [23:0] deliver_queue_out_number = deliver_queue_out_data[24:1];
     wire deliver_queue_out_cached = deliver_queue_out_data[0];
     wire d0_takes_or_d0_reads = d0_takes | d0_reads;
-    wire [31:0] follower_read = first_due & {32{next_taken}};
     wire [31:0] follower_enters = free_follower & {32{follows}};
     wire [31:0] follower_ready_bits = {32{|due}};
-    wire hits_and_asked_head_4 = hits & asked_head[4];
-    wire finished_leaders_both = judge_out_valid & judge_out_leads;
-    wire becomes_ready_either = (hits_and_asked_head_4 & (asked_head[3:0] == follows_31)) | (finished_leaders_both & (judge_out_leader == follows_31));
-    wire becomes_ready_either_2 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_30)) | (finished_leaders_both & (judge_out_leader == follows_30));
-    wire becomes_ready_either_3 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_29)) | (finished_leaders_both & (judge_out_leader == follows_29));
-    wire becomes_ready_either_4 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_28)) | (finished_leaders_both & (judge_out_leader == follows_28));
-    wire becomes_ready_either_5 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_27)) | (finished_leaders_both & (judge_out_leader == follows_27));
-    wire becomes_ready_either_6 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_26)) | (finished_leaders_both & (judge_out_leader == follows_26));
-    wire becomes_ready_either_7 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_25)) | (finished_leaders_both & (judge_out_leader == follows_25));
-    wire becomes_ready_either_8 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_24)) | (finished_leaders_both & (judge_out_leader == follows_24));
-    wire becomes_ready_either_9 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_23)) | (finished_leaders_both & (judge_out_leader == follows_23));
-    wire becomes_ready_either_10 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_22)) | (finished_leaders_both & (judge_out_leader == follows_22));
-    wire becomes_ready_either_11 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_21)) | (finished_leaders_both & (judge_out_leader == follows_21));
-    wire becomes_ready_either_12 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_20)) | (finished_leaders_both & (judge_out_leader == follows_20));
-    wire becomes_ready_either_13 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_19)) | (finished_leaders_both & (judge_out_leader == follows_19));
-    wire becomes_ready_either_14 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_18)) | (finished_leaders_both & (judge_out_leader == follows_18));
-    wire becomes_ready_either_15 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_17)) | (finished_leaders_both & (judge_out_leader == follows_17));
-    wire becomes_ready_either_16 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_16)) | (finished_leaders_both & (judge_out_leader == follows_16));
-    wire becomes_ready_either_17 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_15)) | (finished_leaders_both & (judge_out_leader == follows_15));
-    wire becomes_ready_either_18 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_14)) | (finished_leaders_both & (judge_out_leader == follows_14));
-    wire becomes_ready_either_19 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_13)) | (finished_leaders_both & (judge_out_leader == follows_13));
-    wire becomes_ready_either_20 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_12)) | (finished_leaders_both & (judge_out_leader == follows_12));
-    wire becomes_ready_either_21 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_11)) | (finished_leaders_both & (judge_out_leader == follows_11));
-    wire becomes_ready_either_22 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_10)) | (finished_leaders_both & (judge_out_leader == follows_10));
-    wire becomes_ready_either_23 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_9)) | (finished_leaders_both & (judge_out_leader == follows_9));
-    wire becomes_ready_either_24 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_8)) | (finished_leaders_both & (judge_out_leader == follows_8));
-    wire becomes_ready_either_25 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_7)) | (finished_leaders_both & (judge_out_leader == follows_7));
-    wire becomes_ready_either_26 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_6)) | (finished_leaders_both & (judge_out_leader == follows_6));
-    wire becomes_ready_either_27 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_5)) | (finished_leaders_both & (judge_out_leader == follows_5));
-    wire becomes_ready_either_28 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_4)) | (finished_leaders_both & (judge_out_leader == follows_4));
-    wire becomes_ready_either_29 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_3)) | (finished_leaders_both & (judge_out_leader == follows_3));
-    wire becomes_ready_either_30 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_2)) | (finished_leaders_both & (judge_out_leader == follows_2));
-    wire becomes_ready_either_31 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_1)) | (finished_leaders_both & (judge_out_leader == follows_1));
-    wire becomes_ready_either_32 = (hits_and_asked_head_4 & (asked_head[3:0] == follows_0)) | (finished_leaders_both & (judge_out_leader == follows_0));
+    wire becomes_ready_either = (hit_finishes & (hit_leader == follows_31)) | (delivered_finishes & (delivered_leader == follows_31));
+    wire becomes_ready_either_2 = (hit_finishes & (hit_leader == follows_30)) | (delivered_finishes & (delivered_leader == follows_30));
+    wire becomes_ready_either_3 = (hit_finishes & (hit_leader == follows_29)) | (delivered_finishes & (delivered_leader == follows_29));
+    wire becomes_ready_either_4 = (hit_finishes & (hit_leader == follows_28)) | (delivered_finishes & (delivered_leader == follows_28));
+    wire becomes_ready_either_5 = (hit_finishes & (hit_leader == follows_27)) | (delivered_finishes & (delivered_leader == follows_27));
+    wire becomes_ready_either_6 = (hit_finishes & (hit_leader == follows_26)) | (delivered_finishes & (delivered_leader == follows_26));
+    wire becomes_ready_either_7 = (hit_finishes & (hit_leader == follows_25)) | (delivered_finishes & (delivered_leader == follows_25));
+    wire becomes_ready_either_8 = (hit_finishes & (hit_leader == follows_24)) | (delivered_finishes & (delivered_leader == follows_24));
+    wire becomes_ready_either_9 = (hit_finishes & (hit_leader == follows_23)) | (delivered_finishes & (delivered_leader == follows_23));
+    wire becomes_ready_either_10 = (hit_finishes & (hit_leader == follows_22)) | (delivered_finishes & (delivered_leader == follows_22));
+    wire becomes_ready_either_11 = (hit_finishes & (hit_leader == follows_21)) | (delivered_finishes & (delivered_leader == follows_21));
+    wire becomes_ready_either_12 = (hit_finishes & (hit_leader == follows_20)) | (delivered_finishes & (delivered_leader == follows_20));
+    wire becomes_ready_either_13 = (hit_finishes & (hit_leader == follows_19)) | (delivered_finishes & (delivered_leader == follows_19));
+    wire becomes_ready_either_14 = (hit_finishes & (hit_leader == follows_18)) | (delivered_finishes & (delivered_leader == follows_18));
+    wire becomes_ready_either_15 = (hit_finishes & (hit_leader == follows_17)) | (delivered_finishes & (delivered_leader == follows_17));
+    wire becomes_ready_either_16 = (hit_finishes & (hit_leader == follows_16)) | (delivered_finishes & (delivered_leader == follows_16));
+    wire becomes_ready_either_17 = (hit_finishes & (hit_leader == follows_15)) | (delivered_finishes & (delivered_leader == follows_15));
+    wire becomes_ready_either_18 = (hit_finishes & (hit_leader == follows_14)) | (delivered_finishes & (delivered_leader == follows_14));
+    wire becomes_ready_either_19 = (hit_finishes & (hit_leader == follows_13)) | (delivered_finishes & (delivered_leader == follows_13));
+    wire becomes_ready_either_20 = (hit_finishes & (hit_leader == follows_12)) | (delivered_finishes & (delivered_leader == follows_12));
+    wire becomes_ready_either_21 = (hit_finishes & (hit_leader == follows_11)) | (delivered_finishes & (delivered_leader == follows_11));
+    wire becomes_ready_either_22 = (hit_finishes & (hit_leader == follows_10)) | (delivered_finishes & (delivered_leader == follows_10));
+    wire becomes_ready_either_23 = (hit_finishes & (hit_leader == follows_9)) | (delivered_finishes & (delivered_leader == follows_9));
+    wire becomes_ready_either_24 = (hit_finishes & (hit_leader == follows_8)) | (delivered_finishes & (delivered_leader == follows_8));
+    wire becomes_ready_either_25 = (hit_finishes & (hit_leader == follows_7)) | (delivered_finishes & (delivered_leader == follows_7));
+    wire becomes_ready_either_26 = (hit_finishes & (hit_leader == follows_6)) | (delivered_finishes & (delivered_leader == follows_6));
+    wire becomes_ready_either_27 = (hit_finishes & (hit_leader == follows_5)) | (delivered_finishes & (delivered_leader == follows_5));
+    wire becomes_ready_either_28 = (hit_finishes & (hit_leader == follows_4)) | (delivered_finishes & (delivered_leader == follows_4));
+    wire becomes_ready_either_29 = (hit_finishes & (hit_leader == follows_3)) | (delivered_finishes & (delivered_leader == follows_3));
+    wire becomes_ready_either_30 = (hit_finishes & (hit_leader == follows_2)) | (delivered_finishes & (delivered_leader == follows_2));
+    wire becomes_ready_either_31 = (hit_finishes & (hit_leader == follows_1)) | (delivered_finishes & (delivered_leader == follows_1));
+    wire becomes_ready_either_32 = (hit_finishes & (hit_leader == follows_0)) | (delivered_finishes & (delivered_leader == follows_0));
     wire [31:0] becomes_ready_bits = {
         becomes_ready_either, becomes_ready_either_2, becomes_ready_either_3, becomes_ready_either_4,
         becomes_ready_either_5, becomes_ready_either_6, becomes_ready_either_7, becomes_ready_either_8,
@@ -3869,54 +3870,44 @@ module search_neighbor_cache (
         becomes_ready_either_25, becomes_ready_either_26, becomes_ready_either_27, becomes_ready_either_28,
         becomes_ready_either_29, becomes_ready_either_30, becomes_ready_either_31, becomes_ready_either_32
     };
-    wire [15:0] followed_both = candidates & (16'd0 - candidates);
-    wire [3:0] followed = {
-        |(followed_both & 16'hff00), |(followed_both & 16'hf0f0), |(followed_both & 16'hcccc),
-        |(followed_both & 16'haaaa)
+    wire [15:0] first_candidate = candidates & (16'd0 - candidates);
+    wire [15:0] finished_leaders_bits = {
+        hit_finishes & (hit_leader == 4'd15), hit_finishes & (hit_leader == 4'd14),
+        hit_finishes & (hit_leader == 4'd13), hit_finishes & (hit_leader == 4'd12),
+        hit_finishes & (hit_leader == 4'd11), hit_finishes & (hit_leader == 4'd10),
+        hit_finishes & (hit_leader == 4'd9), hit_finishes & (hit_leader == 4'd8),
+        hit_finishes & (hit_leader == 4'd7), hit_finishes & (hit_leader == 4'd6),
+        hit_finishes & (hit_leader == 4'd5), hit_finishes & (hit_leader == 4'd4),
+        hit_finishes & (hit_leader == 4'd3), hit_finishes & (hit_leader == 4'd2),
+        hit_finishes & (hit_leader == 4'd1), hit_finishes & (hit_leader == 4'd0)
     };
-    wire becomes_ready_either_33 = (hits_and_asked_head_4 & (asked_head[3:0] == followed)) | (finished_leaders_both & (judge_out_leader == followed));
-    wire [31:0] becomes_ready = (waits & ~(follower_ready | due) & becomes_ready_bits) | (follower_enters & {32{becomes_ready_either_33}});
+    wire [15:0] finished_leaders_bits_2 = {
+        delivered_finishes & (delivered_leader == 4'd15), delivered_finishes & (delivered_leader == 4'd14),
+        delivered_finishes & (delivered_leader == 4'd13), delivered_finishes & (delivered_leader == 4'd12),
+        delivered_finishes & (delivered_leader == 4'd11), delivered_finishes & (delivered_leader == 4'd10),
+        delivered_finishes & (delivered_leader == 4'd9), delivered_finishes & (delivered_leader == 4'd8),
+        delivered_finishes & (delivered_leader == 4'd7), delivered_finishes & (delivered_leader == 4'd6),
+        delivered_finishes & (delivered_leader == 4'd5), delivered_finishes & (delivered_leader == 4'd4),
+        delivered_finishes & (delivered_leader == 4'd3), delivered_finishes & (delivered_leader == 4'd2),
+        delivered_finishes & (delivered_leader == 4'd1), delivered_finishes & (delivered_leader == 4'd0)
+    };
+    wire [15:0] finished_leaders = finished_leaders_bits | finished_leaders_bits_2;
+    wire [31:0] becomes_ready = (waits & ~(follower_ready | due | chosen) & becomes_ready_bits) | (follower_enters & {32{|(first_candidate & finished_leaders)}});
+    wire [31:0] first_due = due & (32'd0 - due);
+    wire chooses_follower = next_taken | ~has_chosen;
+    wire [3:0] followed = {
+        |(first_candidate & 16'hff00), |(first_candidate & 16'hf0f0), |(first_candidate & 16'hcccc),
+        |(first_candidate & 16'haaaa)
+    };
     wire grid_follows_both = ~j_margin[31] & ((8'd4 <= j_margin[30:23]) & (j_margin[30:23] < 8'd255));
     wire grid_follows = leaves & j_reusable & grid_follows_both;
     wire [8:0] margin_above_unit = {1'd0, j_margin[30:23]} - {1'd0, grid_unit};
-    wire grid_limit_both = grid_known & (margin_above_unit == 9'd2);
-    wire grid_limit_both_2 = grid_known & (margin_above_unit == 9'd4);
-    wire grid_moves_either = (grid_known & (margin_above_unit == 9'd3)) | grid_limit_both | grid_limit_both_2;
+    wire grid_moves_both = grid_known & (margin_above_unit == 9'd2);
+    wire grid_moves_both_2 = grid_known & (margin_above_unit == 9'd4);
+    wire grid_moves_either = (grid_known & (margin_above_unit == 9'd3)) | grid_moves_both | grid_moves_both_2;
     wire grid_moves = grid_follows & ~grid_moves_either;
-    wire [4:0] grid_limit_choice = grid_limit_both ? {3'd1, j_margin[22:21]} : {2'd1, j_margin[22:20]};
+    wire [4:0] grid_limit_choice = grid_moves_both ? {3'd1, j_margin[22:21]} : {2'd1, j_margin[22:20]};
     wire [15:0] becomes_leader = free_leader & {16{leads}};
-    wire [15:0] finished_leaders_bits = {
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd15),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd14),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd13),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd12),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd11),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd10), hits_and_asked_head_4 & (asked_head[3:0] == 4'd9),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd8), hits_and_asked_head_4 & (asked_head[3:0] == 4'd7),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd6), hits_and_asked_head_4 & (asked_head[3:0] == 4'd5),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd4), hits_and_asked_head_4 & (asked_head[3:0] == 4'd3),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd2), hits_and_asked_head_4 & (asked_head[3:0] == 4'd1),
-        hits_and_asked_head_4 & (asked_head[3:0] == 4'd0)
-    };
-    wire [15:0] finished_leaders_bits_2 = {
-        finished_leaders_both & (judge_out_leader == 4'd15),
-        finished_leaders_both & (judge_out_leader == 4'd14),
-        finished_leaders_both & (judge_out_leader == 4'd13),
-        finished_leaders_both & (judge_out_leader == 4'd12),
-        finished_leaders_both & (judge_out_leader == 4'd11),
-        finished_leaders_both & (judge_out_leader == 4'd10),
-        finished_leaders_both & (judge_out_leader == 4'd9),
-        finished_leaders_both & (judge_out_leader == 4'd8),
-        finished_leaders_both & (judge_out_leader == 4'd7),
-        finished_leaders_both & (judge_out_leader == 4'd6),
-        finished_leaders_both & (judge_out_leader == 4'd5),
-        finished_leaders_both & (judge_out_leader == 4'd4),
-        finished_leaders_both & (judge_out_leader == 4'd3),
-        finished_leaders_both & (judge_out_leader == 4'd2),
-        finished_leaders_both & (judge_out_leader == 4'd1),
-        finished_leaders_both & (judge_out_leader == 4'd0)
-    };
-    wire [15:0] finished_leaders = finished_leaders_bits | finished_leaders_bits_2;
     wire [15:0] comparable_either = (comparable & ~becomes_leader) | (becomes_leader & {16{aligned}});
     wire lead_x_amount_enable_both = query_queue_out_valid & (lead_step == 2'd0);
     wire [9:0] grid_unit_plus_34 = {2'd0, grid_unit} + 10'd34;
@@ -3927,186 +3918,160 @@ module search_neighbor_cache (
     wire [34:0] lead_y_place_shifted = {1'd1, query_queue_out_y[22:0], 11'd0} >> lead_y_amount;
     wire [9:0] lead_z_shift = grid_unit_plus_34 - {2'd0, query_queue_out_z[30:23]};
     wire [34:0] lead_z_place_shifted = {1'd1, query_queue_out_z[22:0], 11'd0} >> lead_z_amount;
+    wire near_x_enable_both = query_queue_out_valid & (lead_step == 2'd2);
     wire [11:0] lead_x_place_minus_leader_15_x = lead_x_place - leader_15_x;
-    wire near_now_both = (lead_x_place_minus_leader_15_x[11:5] == 7'd0) & (lead_x_place_minus_leader_15_x[4:0] < grid_limit);
-    wire [4:0] near_now_difference = 5'd0 - grid_limit;
-    wire near_now_both_2 = &lead_x_place_minus_leader_15_x[11:5] & (near_now_difference < lead_x_place_minus_leader_15_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_15_y = lead_y_place - leader_15_y;
-    wire near_now_both_3 = (lead_y_place_minus_leader_15_y[11:5] == 7'd0) & (lead_y_place_minus_leader_15_y[4:0] < grid_limit);
-    wire near_now_both_4 = &lead_y_place_minus_leader_15_y[11:5] & (near_now_difference < lead_y_place_minus_leader_15_y[4:0]);
-    wire near_now_both_5 = (near_now_both | near_now_both_2) & (near_now_both_3 | near_now_both_4);
-    wire [11:0] lead_z_place_minus_leader_15_z = lead_z_place - leader_15_z;
-    wire near_now_both_6 = (lead_z_place_minus_leader_15_z[11:5] == 7'd0) & (lead_z_place_minus_leader_15_z[4:0] < grid_limit);
-    wire near_now_both_7 = &lead_z_place_minus_leader_15_z[11:5] & (near_now_difference < lead_z_place_minus_leader_15_z[4:0]);
+    wire near_x_both = (lead_x_place_minus_leader_15_x[11:5] == 7'd0) & (lead_x_place_minus_leader_15_x[4:0] < grid_limit);
+    wire [4:0] near_x_difference = 5'd0 - grid_limit;
+    wire near_x_both_2 = &lead_x_place_minus_leader_15_x[11:5] & (near_x_difference < lead_x_place_minus_leader_15_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_14_x = lead_x_place - leader_14_x;
-    wire near_now_both_8 = (lead_x_place_minus_leader_14_x[11:5] == 7'd0) & (lead_x_place_minus_leader_14_x[4:0] < grid_limit);
-    wire near_now_both_9 = &lead_x_place_minus_leader_14_x[11:5] & (near_now_difference < lead_x_place_minus_leader_14_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_14_y = lead_y_place - leader_14_y;
-    wire near_now_both_10 = (lead_y_place_minus_leader_14_y[11:5] == 7'd0) & (lead_y_place_minus_leader_14_y[4:0] < grid_limit);
-    wire near_now_both_11 = &lead_y_place_minus_leader_14_y[11:5] & (near_now_difference < lead_y_place_minus_leader_14_y[4:0]);
-    wire near_now_both_12 = (near_now_both_8 | near_now_both_9) & (near_now_both_10 | near_now_both_11);
-    wire [11:0] lead_z_place_minus_leader_14_z = lead_z_place - leader_14_z;
-    wire near_now_both_13 = (lead_z_place_minus_leader_14_z[11:5] == 7'd0) & (lead_z_place_minus_leader_14_z[4:0] < grid_limit);
-    wire near_now_both_14 = &lead_z_place_minus_leader_14_z[11:5] & (near_now_difference < lead_z_place_minus_leader_14_z[4:0]);
+    wire near_x_both_3 = (lead_x_place_minus_leader_14_x[11:5] == 7'd0) & (lead_x_place_minus_leader_14_x[4:0] < grid_limit);
+    wire near_x_both_4 = &lead_x_place_minus_leader_14_x[11:5] & (near_x_difference < lead_x_place_minus_leader_14_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_13_x = lead_x_place - leader_13_x;
-    wire near_now_both_15 = (lead_x_place_minus_leader_13_x[11:5] == 7'd0) & (lead_x_place_minus_leader_13_x[4:0] < grid_limit);
-    wire near_now_both_16 = &lead_x_place_minus_leader_13_x[11:5] & (near_now_difference < lead_x_place_minus_leader_13_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_13_y = lead_y_place - leader_13_y;
-    wire near_now_both_17 = (lead_y_place_minus_leader_13_y[11:5] == 7'd0) & (lead_y_place_minus_leader_13_y[4:0] < grid_limit);
-    wire near_now_both_18 = &lead_y_place_minus_leader_13_y[11:5] & (near_now_difference < lead_y_place_minus_leader_13_y[4:0]);
-    wire near_now_both_19 = (near_now_both_15 | near_now_both_16) & (near_now_both_17 | near_now_both_18);
-    wire [11:0] lead_z_place_minus_leader_13_z = lead_z_place - leader_13_z;
-    wire near_now_both_20 = (lead_z_place_minus_leader_13_z[11:5] == 7'd0) & (lead_z_place_minus_leader_13_z[4:0] < grid_limit);
-    wire near_now_both_21 = &lead_z_place_minus_leader_13_z[11:5] & (near_now_difference < lead_z_place_minus_leader_13_z[4:0]);
+    wire near_x_both_5 = (lead_x_place_minus_leader_13_x[11:5] == 7'd0) & (lead_x_place_minus_leader_13_x[4:0] < grid_limit);
+    wire near_x_both_6 = &lead_x_place_minus_leader_13_x[11:5] & (near_x_difference < lead_x_place_minus_leader_13_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_12_x = lead_x_place - leader_12_x;
-    wire near_now_both_22 = (lead_x_place_minus_leader_12_x[11:5] == 7'd0) & (lead_x_place_minus_leader_12_x[4:0] < grid_limit);
-    wire near_now_both_23 = &lead_x_place_minus_leader_12_x[11:5] & (near_now_difference < lead_x_place_minus_leader_12_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_12_y = lead_y_place - leader_12_y;
-    wire near_now_both_24 = (lead_y_place_minus_leader_12_y[11:5] == 7'd0) & (lead_y_place_minus_leader_12_y[4:0] < grid_limit);
-    wire near_now_both_25 = &lead_y_place_minus_leader_12_y[11:5] & (near_now_difference < lead_y_place_minus_leader_12_y[4:0]);
-    wire near_now_both_26 = (near_now_both_22 | near_now_both_23) & (near_now_both_24 | near_now_both_25);
-    wire [11:0] lead_z_place_minus_leader_12_z = lead_z_place - leader_12_z;
-    wire near_now_both_27 = (lead_z_place_minus_leader_12_z[11:5] == 7'd0) & (lead_z_place_minus_leader_12_z[4:0] < grid_limit);
-    wire near_now_both_28 = &lead_z_place_minus_leader_12_z[11:5] & (near_now_difference < lead_z_place_minus_leader_12_z[4:0]);
+    wire near_x_both_7 = (lead_x_place_minus_leader_12_x[11:5] == 7'd0) & (lead_x_place_minus_leader_12_x[4:0] < grid_limit);
+    wire near_x_both_8 = &lead_x_place_minus_leader_12_x[11:5] & (near_x_difference < lead_x_place_minus_leader_12_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_11_x = lead_x_place - leader_11_x;
-    wire near_now_both_29 = (lead_x_place_minus_leader_11_x[11:5] == 7'd0) & (lead_x_place_minus_leader_11_x[4:0] < grid_limit);
-    wire near_now_both_30 = &lead_x_place_minus_leader_11_x[11:5] & (near_now_difference < lead_x_place_minus_leader_11_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_11_y = lead_y_place - leader_11_y;
-    wire near_now_both_31 = (lead_y_place_minus_leader_11_y[11:5] == 7'd0) & (lead_y_place_minus_leader_11_y[4:0] < grid_limit);
-    wire near_now_both_32 = &lead_y_place_minus_leader_11_y[11:5] & (near_now_difference < lead_y_place_minus_leader_11_y[4:0]);
-    wire near_now_both_33 = (near_now_both_29 | near_now_both_30) & (near_now_both_31 | near_now_both_32);
-    wire [11:0] lead_z_place_minus_leader_11_z = lead_z_place - leader_11_z;
-    wire near_now_both_34 = (lead_z_place_minus_leader_11_z[11:5] == 7'd0) & (lead_z_place_minus_leader_11_z[4:0] < grid_limit);
-    wire near_now_both_35 = &lead_z_place_minus_leader_11_z[11:5] & (near_now_difference < lead_z_place_minus_leader_11_z[4:0]);
+    wire near_x_both_9 = (lead_x_place_minus_leader_11_x[11:5] == 7'd0) & (lead_x_place_minus_leader_11_x[4:0] < grid_limit);
+    wire near_x_both_10 = &lead_x_place_minus_leader_11_x[11:5] & (near_x_difference < lead_x_place_minus_leader_11_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_10_x = lead_x_place - leader_10_x;
-    wire near_now_both_36 = (lead_x_place_minus_leader_10_x[11:5] == 7'd0) & (lead_x_place_minus_leader_10_x[4:0] < grid_limit);
-    wire near_now_both_37 = &lead_x_place_minus_leader_10_x[11:5] & (near_now_difference < lead_x_place_minus_leader_10_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_10_y = lead_y_place - leader_10_y;
-    wire near_now_both_38 = (lead_y_place_minus_leader_10_y[11:5] == 7'd0) & (lead_y_place_minus_leader_10_y[4:0] < grid_limit);
-    wire near_now_both_39 = &lead_y_place_minus_leader_10_y[11:5] & (near_now_difference < lead_y_place_minus_leader_10_y[4:0]);
-    wire near_now_both_40 = (near_now_both_36 | near_now_both_37) & (near_now_both_38 | near_now_both_39);
-    wire [11:0] lead_z_place_minus_leader_10_z = lead_z_place - leader_10_z;
-    wire near_now_both_41 = (lead_z_place_minus_leader_10_z[11:5] == 7'd0) & (lead_z_place_minus_leader_10_z[4:0] < grid_limit);
-    wire near_now_both_42 = &lead_z_place_minus_leader_10_z[11:5] & (near_now_difference < lead_z_place_minus_leader_10_z[4:0]);
+    wire near_x_both_11 = (lead_x_place_minus_leader_10_x[11:5] == 7'd0) & (lead_x_place_minus_leader_10_x[4:0] < grid_limit);
+    wire near_x_both_12 = &lead_x_place_minus_leader_10_x[11:5] & (near_x_difference < lead_x_place_minus_leader_10_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_9_x = lead_x_place - leader_9_x;
-    wire near_now_both_43 = (lead_x_place_minus_leader_9_x[11:5] == 7'd0) & (lead_x_place_minus_leader_9_x[4:0] < grid_limit);
-    wire near_now_both_44 = &lead_x_place_minus_leader_9_x[11:5] & (near_now_difference < lead_x_place_minus_leader_9_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_9_y = lead_y_place - leader_9_y;
-    wire near_now_both_45 = (lead_y_place_minus_leader_9_y[11:5] == 7'd0) & (lead_y_place_minus_leader_9_y[4:0] < grid_limit);
-    wire near_now_both_46 = &lead_y_place_minus_leader_9_y[11:5] & (near_now_difference < lead_y_place_minus_leader_9_y[4:0]);
-    wire near_now_both_47 = (near_now_both_43 | near_now_both_44) & (near_now_both_45 | near_now_both_46);
-    wire [11:0] lead_z_place_minus_leader_9_z = lead_z_place - leader_9_z;
-    wire near_now_both_48 = (lead_z_place_minus_leader_9_z[11:5] == 7'd0) & (lead_z_place_minus_leader_9_z[4:0] < grid_limit);
-    wire near_now_both_49 = &lead_z_place_minus_leader_9_z[11:5] & (near_now_difference < lead_z_place_minus_leader_9_z[4:0]);
+    wire near_x_both_13 = (lead_x_place_minus_leader_9_x[11:5] == 7'd0) & (lead_x_place_minus_leader_9_x[4:0] < grid_limit);
+    wire near_x_both_14 = &lead_x_place_minus_leader_9_x[11:5] & (near_x_difference < lead_x_place_minus_leader_9_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_8_x = lead_x_place - leader_8_x;
-    wire near_now_both_50 = (lead_x_place_minus_leader_8_x[11:5] == 7'd0) & (lead_x_place_minus_leader_8_x[4:0] < grid_limit);
-    wire near_now_both_51 = &lead_x_place_minus_leader_8_x[11:5] & (near_now_difference < lead_x_place_minus_leader_8_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_8_y = lead_y_place - leader_8_y;
-    wire near_now_both_52 = (lead_y_place_minus_leader_8_y[11:5] == 7'd0) & (lead_y_place_minus_leader_8_y[4:0] < grid_limit);
-    wire near_now_both_53 = &lead_y_place_minus_leader_8_y[11:5] & (near_now_difference < lead_y_place_minus_leader_8_y[4:0]);
-    wire near_now_both_54 = (near_now_both_50 | near_now_both_51) & (near_now_both_52 | near_now_both_53);
-    wire [11:0] lead_z_place_minus_leader_8_z = lead_z_place - leader_8_z;
-    wire near_now_both_55 = (lead_z_place_minus_leader_8_z[11:5] == 7'd0) & (lead_z_place_minus_leader_8_z[4:0] < grid_limit);
-    wire near_now_both_56 = &lead_z_place_minus_leader_8_z[11:5] & (near_now_difference < lead_z_place_minus_leader_8_z[4:0]);
+    wire near_x_both_15 = (lead_x_place_minus_leader_8_x[11:5] == 7'd0) & (lead_x_place_minus_leader_8_x[4:0] < grid_limit);
+    wire near_x_both_16 = &lead_x_place_minus_leader_8_x[11:5] & (near_x_difference < lead_x_place_minus_leader_8_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_7_x = lead_x_place - leader_7_x;
-    wire near_now_both_57 = (lead_x_place_minus_leader_7_x[11:5] == 7'd0) & (lead_x_place_minus_leader_7_x[4:0] < grid_limit);
-    wire near_now_both_58 = &lead_x_place_minus_leader_7_x[11:5] & (near_now_difference < lead_x_place_minus_leader_7_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_7_y = lead_y_place - leader_7_y;
-    wire near_now_both_59 = (lead_y_place_minus_leader_7_y[11:5] == 7'd0) & (lead_y_place_minus_leader_7_y[4:0] < grid_limit);
-    wire near_now_both_60 = &lead_y_place_minus_leader_7_y[11:5] & (near_now_difference < lead_y_place_minus_leader_7_y[4:0]);
-    wire near_now_both_61 = (near_now_both_57 | near_now_both_58) & (near_now_both_59 | near_now_both_60);
-    wire [11:0] lead_z_place_minus_leader_7_z = lead_z_place - leader_7_z;
-    wire near_now_both_62 = (lead_z_place_minus_leader_7_z[11:5] == 7'd0) & (lead_z_place_minus_leader_7_z[4:0] < grid_limit);
-    wire near_now_both_63 = &lead_z_place_minus_leader_7_z[11:5] & (near_now_difference < lead_z_place_minus_leader_7_z[4:0]);
+    wire near_x_both_17 = (lead_x_place_minus_leader_7_x[11:5] == 7'd0) & (lead_x_place_minus_leader_7_x[4:0] < grid_limit);
+    wire near_x_both_18 = &lead_x_place_minus_leader_7_x[11:5] & (near_x_difference < lead_x_place_minus_leader_7_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_6_x = lead_x_place - leader_6_x;
-    wire near_now_both_64 = (lead_x_place_minus_leader_6_x[11:5] == 7'd0) & (lead_x_place_minus_leader_6_x[4:0] < grid_limit);
-    wire near_now_both_65 = &lead_x_place_minus_leader_6_x[11:5] & (near_now_difference < lead_x_place_minus_leader_6_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_6_y = lead_y_place - leader_6_y;
-    wire near_now_both_66 = (lead_y_place_minus_leader_6_y[11:5] == 7'd0) & (lead_y_place_minus_leader_6_y[4:0] < grid_limit);
-    wire near_now_both_67 = &lead_y_place_minus_leader_6_y[11:5] & (near_now_difference < lead_y_place_minus_leader_6_y[4:0]);
-    wire near_now_both_68 = (near_now_both_64 | near_now_both_65) & (near_now_both_66 | near_now_both_67);
-    wire [11:0] lead_z_place_minus_leader_6_z = lead_z_place - leader_6_z;
-    wire near_now_both_69 = (lead_z_place_minus_leader_6_z[11:5] == 7'd0) & (lead_z_place_minus_leader_6_z[4:0] < grid_limit);
-    wire near_now_both_70 = &lead_z_place_minus_leader_6_z[11:5] & (near_now_difference < lead_z_place_minus_leader_6_z[4:0]);
+    wire near_x_both_19 = (lead_x_place_minus_leader_6_x[11:5] == 7'd0) & (lead_x_place_minus_leader_6_x[4:0] < grid_limit);
+    wire near_x_both_20 = &lead_x_place_minus_leader_6_x[11:5] & (near_x_difference < lead_x_place_minus_leader_6_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_5_x = lead_x_place - leader_5_x;
-    wire near_now_both_71 = (lead_x_place_minus_leader_5_x[11:5] == 7'd0) & (lead_x_place_minus_leader_5_x[4:0] < grid_limit);
-    wire near_now_both_72 = &lead_x_place_minus_leader_5_x[11:5] & (near_now_difference < lead_x_place_minus_leader_5_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_5_y = lead_y_place - leader_5_y;
-    wire near_now_both_73 = (lead_y_place_minus_leader_5_y[11:5] == 7'd0) & (lead_y_place_minus_leader_5_y[4:0] < grid_limit);
-    wire near_now_both_74 = &lead_y_place_minus_leader_5_y[11:5] & (near_now_difference < lead_y_place_minus_leader_5_y[4:0]);
-    wire near_now_both_75 = (near_now_both_71 | near_now_both_72) & (near_now_both_73 | near_now_both_74);
-    wire [11:0] lead_z_place_minus_leader_5_z = lead_z_place - leader_5_z;
-    wire near_now_both_76 = (lead_z_place_minus_leader_5_z[11:5] == 7'd0) & (lead_z_place_minus_leader_5_z[4:0] < grid_limit);
-    wire near_now_both_77 = &lead_z_place_minus_leader_5_z[11:5] & (near_now_difference < lead_z_place_minus_leader_5_z[4:0]);
+    wire near_x_both_21 = (lead_x_place_minus_leader_5_x[11:5] == 7'd0) & (lead_x_place_minus_leader_5_x[4:0] < grid_limit);
+    wire near_x_both_22 = &lead_x_place_minus_leader_5_x[11:5] & (near_x_difference < lead_x_place_minus_leader_5_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_4_x = lead_x_place - leader_4_x;
-    wire near_now_both_78 = (lead_x_place_minus_leader_4_x[11:5] == 7'd0) & (lead_x_place_minus_leader_4_x[4:0] < grid_limit);
-    wire near_now_both_79 = &lead_x_place_minus_leader_4_x[11:5] & (near_now_difference < lead_x_place_minus_leader_4_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_4_y = lead_y_place - leader_4_y;
-    wire near_now_both_80 = (lead_y_place_minus_leader_4_y[11:5] == 7'd0) & (lead_y_place_minus_leader_4_y[4:0] < grid_limit);
-    wire near_now_both_81 = &lead_y_place_minus_leader_4_y[11:5] & (near_now_difference < lead_y_place_minus_leader_4_y[4:0]);
-    wire near_now_both_82 = (near_now_both_78 | near_now_both_79) & (near_now_both_80 | near_now_both_81);
-    wire [11:0] lead_z_place_minus_leader_4_z = lead_z_place - leader_4_z;
-    wire near_now_both_83 = (lead_z_place_minus_leader_4_z[11:5] == 7'd0) & (lead_z_place_minus_leader_4_z[4:0] < grid_limit);
-    wire near_now_both_84 = &lead_z_place_minus_leader_4_z[11:5] & (near_now_difference < lead_z_place_minus_leader_4_z[4:0]);
+    wire near_x_both_23 = (lead_x_place_minus_leader_4_x[11:5] == 7'd0) & (lead_x_place_minus_leader_4_x[4:0] < grid_limit);
+    wire near_x_both_24 = &lead_x_place_minus_leader_4_x[11:5] & (near_x_difference < lead_x_place_minus_leader_4_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_3_x = lead_x_place - leader_3_x;
-    wire near_now_both_85 = (lead_x_place_minus_leader_3_x[11:5] == 7'd0) & (lead_x_place_minus_leader_3_x[4:0] < grid_limit);
-    wire near_now_both_86 = &lead_x_place_minus_leader_3_x[11:5] & (near_now_difference < lead_x_place_minus_leader_3_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_3_y = lead_y_place - leader_3_y;
-    wire near_now_both_87 = (lead_y_place_minus_leader_3_y[11:5] == 7'd0) & (lead_y_place_minus_leader_3_y[4:0] < grid_limit);
-    wire near_now_both_88 = &lead_y_place_minus_leader_3_y[11:5] & (near_now_difference < lead_y_place_minus_leader_3_y[4:0]);
-    wire near_now_both_89 = (near_now_both_85 | near_now_both_86) & (near_now_both_87 | near_now_both_88);
-    wire [11:0] lead_z_place_minus_leader_3_z = lead_z_place - leader_3_z;
-    wire near_now_both_90 = (lead_z_place_minus_leader_3_z[11:5] == 7'd0) & (lead_z_place_minus_leader_3_z[4:0] < grid_limit);
-    wire near_now_both_91 = &lead_z_place_minus_leader_3_z[11:5] & (near_now_difference < lead_z_place_minus_leader_3_z[4:0]);
+    wire near_x_both_25 = (lead_x_place_minus_leader_3_x[11:5] == 7'd0) & (lead_x_place_minus_leader_3_x[4:0] < grid_limit);
+    wire near_x_both_26 = &lead_x_place_minus_leader_3_x[11:5] & (near_x_difference < lead_x_place_minus_leader_3_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_2_x = lead_x_place - leader_2_x;
-    wire near_now_both_92 = (lead_x_place_minus_leader_2_x[11:5] == 7'd0) & (lead_x_place_minus_leader_2_x[4:0] < grid_limit);
-    wire near_now_both_93 = &lead_x_place_minus_leader_2_x[11:5] & (near_now_difference < lead_x_place_minus_leader_2_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_2_y = lead_y_place - leader_2_y;
-    wire near_now_both_94 = (lead_y_place_minus_leader_2_y[11:5] == 7'd0) & (lead_y_place_minus_leader_2_y[4:0] < grid_limit);
-    wire near_now_both_95 = &lead_y_place_minus_leader_2_y[11:5] & (near_now_difference < lead_y_place_minus_leader_2_y[4:0]);
-    wire near_now_both_96 = (near_now_both_92 | near_now_both_93) & (near_now_both_94 | near_now_both_95);
-    wire [11:0] lead_z_place_minus_leader_2_z = lead_z_place - leader_2_z;
-    wire near_now_both_97 = (lead_z_place_minus_leader_2_z[11:5] == 7'd0) & (lead_z_place_minus_leader_2_z[4:0] < grid_limit);
-    wire near_now_both_98 = &lead_z_place_minus_leader_2_z[11:5] & (near_now_difference < lead_z_place_minus_leader_2_z[4:0]);
+    wire near_x_both_27 = (lead_x_place_minus_leader_2_x[11:5] == 7'd0) & (lead_x_place_minus_leader_2_x[4:0] < grid_limit);
+    wire near_x_both_28 = &lead_x_place_minus_leader_2_x[11:5] & (near_x_difference < lead_x_place_minus_leader_2_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_1_x = lead_x_place - leader_1_x;
-    wire near_now_both_99 = (lead_x_place_minus_leader_1_x[11:5] == 7'd0) & (lead_x_place_minus_leader_1_x[4:0] < grid_limit);
-    wire near_now_both_100 = &lead_x_place_minus_leader_1_x[11:5] & (near_now_difference < lead_x_place_minus_leader_1_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_1_y = lead_y_place - leader_1_y;
-    wire near_now_both_101 = (lead_y_place_minus_leader_1_y[11:5] == 7'd0) & (lead_y_place_minus_leader_1_y[4:0] < grid_limit);
-    wire near_now_both_102 = &lead_y_place_minus_leader_1_y[11:5] & (near_now_difference < lead_y_place_minus_leader_1_y[4:0]);
-    wire near_now_both_103 = (near_now_both_99 | near_now_both_100) & (near_now_both_101 | near_now_both_102);
-    wire [11:0] lead_z_place_minus_leader_1_z = lead_z_place - leader_1_z;
-    wire near_now_both_104 = (lead_z_place_minus_leader_1_z[11:5] == 7'd0) & (lead_z_place_minus_leader_1_z[4:0] < grid_limit);
-    wire near_now_both_105 = &lead_z_place_minus_leader_1_z[11:5] & (near_now_difference < lead_z_place_minus_leader_1_z[4:0]);
+    wire near_x_both_29 = (lead_x_place_minus_leader_1_x[11:5] == 7'd0) & (lead_x_place_minus_leader_1_x[4:0] < grid_limit);
+    wire near_x_both_30 = &lead_x_place_minus_leader_1_x[11:5] & (near_x_difference < lead_x_place_minus_leader_1_x[4:0]);
     wire [11:0] lead_x_place_minus_leader_0_x = lead_x_place - leader_0_x;
-    wire near_now_both_106 = (lead_x_place_minus_leader_0_x[11:5] == 7'd0) & (lead_x_place_minus_leader_0_x[4:0] < grid_limit);
-    wire near_now_both_107 = &lead_x_place_minus_leader_0_x[11:5] & (near_now_difference < lead_x_place_minus_leader_0_x[4:0]);
-    wire [11:0] lead_y_place_minus_leader_0_y = lead_y_place - leader_0_y;
-    wire near_now_both_108 = (lead_y_place_minus_leader_0_y[11:5] == 7'd0) & (lead_y_place_minus_leader_0_y[4:0] < grid_limit);
-    wire near_now_both_109 = &lead_y_place_minus_leader_0_y[11:5] & (near_now_difference < lead_y_place_minus_leader_0_y[4:0]);
-    wire near_now_both_110 = (near_now_both_106 | near_now_both_107) & (near_now_both_108 | near_now_both_109);
-    wire [11:0] lead_z_place_minus_leader_0_z = lead_z_place - leader_0_z;
-    wire near_now_both_111 = (lead_z_place_minus_leader_0_z[11:5] == 7'd0) & (lead_z_place_minus_leader_0_z[4:0] < grid_limit);
-    wire near_now_both_112 = &lead_z_place_minus_leader_0_z[11:5] & (near_now_difference < lead_z_place_minus_leader_0_z[4:0]);
-    wire [15:0] near_now_bits = {
-        near_now_both_5 & (near_now_both_6 | near_now_both_7),
-        near_now_both_12 & (near_now_both_13 | near_now_both_14),
-        near_now_both_19 & (near_now_both_20 | near_now_both_21),
-        near_now_both_26 & (near_now_both_27 | near_now_both_28),
-        near_now_both_33 & (near_now_both_34 | near_now_both_35),
-        near_now_both_40 & (near_now_both_41 | near_now_both_42),
-        near_now_both_47 & (near_now_both_48 | near_now_both_49),
-        near_now_both_54 & (near_now_both_55 | near_now_both_56),
-        near_now_both_61 & (near_now_both_62 | near_now_both_63),
-        near_now_both_68 & (near_now_both_69 | near_now_both_70),
-        near_now_both_75 & (near_now_both_76 | near_now_both_77),
-        near_now_both_82 & (near_now_both_83 | near_now_both_84),
-        near_now_both_89 & (near_now_both_90 | near_now_both_91),
-        near_now_both_96 & (near_now_both_97 | near_now_both_98),
-        near_now_both_103 & (near_now_both_104 | near_now_both_105),
-        near_now_both_110 & (near_now_both_111 | near_now_both_112)
+    wire near_x_both_31 = (lead_x_place_minus_leader_0_x[11:5] == 7'd0) & (lead_x_place_minus_leader_0_x[4:0] < grid_limit);
+    wire near_x_both_32 = &lead_x_place_minus_leader_0_x[11:5] & (near_x_difference < lead_x_place_minus_leader_0_x[4:0]);
+    wire [15:0] near_x_bits = {
+        near_x_both | near_x_both_2, near_x_both_3 | near_x_both_4, near_x_both_5 | near_x_both_6,
+        near_x_both_7 | near_x_both_8, near_x_both_9 | near_x_both_10, near_x_both_11 | near_x_both_12,
+        near_x_both_13 | near_x_both_14, near_x_both_15 | near_x_both_16, near_x_both_17 | near_x_both_18,
+        near_x_both_19 | near_x_both_20, near_x_both_21 | near_x_both_22, near_x_both_23 | near_x_both_24,
+        near_x_both_25 | near_x_both_26, near_x_both_27 | near_x_both_28, near_x_both_29 | near_x_both_30,
+        near_x_both_31 | near_x_both_32
     };
-    wire [15:0] near_now = near_now_bits & ({16{aligned & grid_known}} & comparable);
+    wire [11:0] lead_y_place_minus_leader_15_y = lead_y_place - leader_15_y;
+    wire near_y_both = (lead_y_place_minus_leader_15_y[11:5] == 7'd0) & (lead_y_place_minus_leader_15_y[4:0] < grid_limit);
+    wire near_y_both_2 = &lead_y_place_minus_leader_15_y[11:5] & (near_x_difference < lead_y_place_minus_leader_15_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_14_y = lead_y_place - leader_14_y;
+    wire near_y_both_3 = (lead_y_place_minus_leader_14_y[11:5] == 7'd0) & (lead_y_place_minus_leader_14_y[4:0] < grid_limit);
+    wire near_y_both_4 = &lead_y_place_minus_leader_14_y[11:5] & (near_x_difference < lead_y_place_minus_leader_14_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_13_y = lead_y_place - leader_13_y;
+    wire near_y_both_5 = (lead_y_place_minus_leader_13_y[11:5] == 7'd0) & (lead_y_place_minus_leader_13_y[4:0] < grid_limit);
+    wire near_y_both_6 = &lead_y_place_minus_leader_13_y[11:5] & (near_x_difference < lead_y_place_minus_leader_13_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_12_y = lead_y_place - leader_12_y;
+    wire near_y_both_7 = (lead_y_place_minus_leader_12_y[11:5] == 7'd0) & (lead_y_place_minus_leader_12_y[4:0] < grid_limit);
+    wire near_y_both_8 = &lead_y_place_minus_leader_12_y[11:5] & (near_x_difference < lead_y_place_minus_leader_12_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_11_y = lead_y_place - leader_11_y;
+    wire near_y_both_9 = (lead_y_place_minus_leader_11_y[11:5] == 7'd0) & (lead_y_place_minus_leader_11_y[4:0] < grid_limit);
+    wire near_y_both_10 = &lead_y_place_minus_leader_11_y[11:5] & (near_x_difference < lead_y_place_minus_leader_11_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_10_y = lead_y_place - leader_10_y;
+    wire near_y_both_11 = (lead_y_place_minus_leader_10_y[11:5] == 7'd0) & (lead_y_place_minus_leader_10_y[4:0] < grid_limit);
+    wire near_y_both_12 = &lead_y_place_minus_leader_10_y[11:5] & (near_x_difference < lead_y_place_minus_leader_10_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_9_y = lead_y_place - leader_9_y;
+    wire near_y_both_13 = (lead_y_place_minus_leader_9_y[11:5] == 7'd0) & (lead_y_place_minus_leader_9_y[4:0] < grid_limit);
+    wire near_y_both_14 = &lead_y_place_minus_leader_9_y[11:5] & (near_x_difference < lead_y_place_minus_leader_9_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_8_y = lead_y_place - leader_8_y;
+    wire near_y_both_15 = (lead_y_place_minus_leader_8_y[11:5] == 7'd0) & (lead_y_place_minus_leader_8_y[4:0] < grid_limit);
+    wire near_y_both_16 = &lead_y_place_minus_leader_8_y[11:5] & (near_x_difference < lead_y_place_minus_leader_8_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_7_y = lead_y_place - leader_7_y;
+    wire near_y_both_17 = (lead_y_place_minus_leader_7_y[11:5] == 7'd0) & (lead_y_place_minus_leader_7_y[4:0] < grid_limit);
+    wire near_y_both_18 = &lead_y_place_minus_leader_7_y[11:5] & (near_x_difference < lead_y_place_minus_leader_7_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_6_y = lead_y_place - leader_6_y;
+    wire near_y_both_19 = (lead_y_place_minus_leader_6_y[11:5] == 7'd0) & (lead_y_place_minus_leader_6_y[4:0] < grid_limit);
+    wire near_y_both_20 = &lead_y_place_minus_leader_6_y[11:5] & (near_x_difference < lead_y_place_minus_leader_6_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_5_y = lead_y_place - leader_5_y;
+    wire near_y_both_21 = (lead_y_place_minus_leader_5_y[11:5] == 7'd0) & (lead_y_place_minus_leader_5_y[4:0] < grid_limit);
+    wire near_y_both_22 = &lead_y_place_minus_leader_5_y[11:5] & (near_x_difference < lead_y_place_minus_leader_5_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_4_y = lead_y_place - leader_4_y;
+    wire near_y_both_23 = (lead_y_place_minus_leader_4_y[11:5] == 7'd0) & (lead_y_place_minus_leader_4_y[4:0] < grid_limit);
+    wire near_y_both_24 = &lead_y_place_minus_leader_4_y[11:5] & (near_x_difference < lead_y_place_minus_leader_4_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_3_y = lead_y_place - leader_3_y;
+    wire near_y_both_25 = (lead_y_place_minus_leader_3_y[11:5] == 7'd0) & (lead_y_place_minus_leader_3_y[4:0] < grid_limit);
+    wire near_y_both_26 = &lead_y_place_minus_leader_3_y[11:5] & (near_x_difference < lead_y_place_minus_leader_3_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_2_y = lead_y_place - leader_2_y;
+    wire near_y_both_27 = (lead_y_place_minus_leader_2_y[11:5] == 7'd0) & (lead_y_place_minus_leader_2_y[4:0] < grid_limit);
+    wire near_y_both_28 = &lead_y_place_minus_leader_2_y[11:5] & (near_x_difference < lead_y_place_minus_leader_2_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_1_y = lead_y_place - leader_1_y;
+    wire near_y_both_29 = (lead_y_place_minus_leader_1_y[11:5] == 7'd0) & (lead_y_place_minus_leader_1_y[4:0] < grid_limit);
+    wire near_y_both_30 = &lead_y_place_minus_leader_1_y[11:5] & (near_x_difference < lead_y_place_minus_leader_1_y[4:0]);
+    wire [11:0] lead_y_place_minus_leader_0_y = lead_y_place - leader_0_y;
+    wire near_y_both_31 = (lead_y_place_minus_leader_0_y[11:5] == 7'd0) & (lead_y_place_minus_leader_0_y[4:0] < grid_limit);
+    wire near_y_both_32 = &lead_y_place_minus_leader_0_y[11:5] & (near_x_difference < lead_y_place_minus_leader_0_y[4:0]);
+    wire [11:0] lead_z_place_minus_leader_15_z = lead_z_place - leader_15_z;
+    wire near_z_both = (lead_z_place_minus_leader_15_z[11:5] == 7'd0) & (lead_z_place_minus_leader_15_z[4:0] < grid_limit);
+    wire near_z_both_2 = &lead_z_place_minus_leader_15_z[11:5] & (near_x_difference < lead_z_place_minus_leader_15_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_14_z = lead_z_place - leader_14_z;
+    wire near_z_both_3 = (lead_z_place_minus_leader_14_z[11:5] == 7'd0) & (lead_z_place_minus_leader_14_z[4:0] < grid_limit);
+    wire near_z_both_4 = &lead_z_place_minus_leader_14_z[11:5] & (near_x_difference < lead_z_place_minus_leader_14_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_13_z = lead_z_place - leader_13_z;
+    wire near_z_both_5 = (lead_z_place_minus_leader_13_z[11:5] == 7'd0) & (lead_z_place_minus_leader_13_z[4:0] < grid_limit);
+    wire near_z_both_6 = &lead_z_place_minus_leader_13_z[11:5] & (near_x_difference < lead_z_place_minus_leader_13_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_12_z = lead_z_place - leader_12_z;
+    wire near_z_both_7 = (lead_z_place_minus_leader_12_z[11:5] == 7'd0) & (lead_z_place_minus_leader_12_z[4:0] < grid_limit);
+    wire near_z_both_8 = &lead_z_place_minus_leader_12_z[11:5] & (near_x_difference < lead_z_place_minus_leader_12_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_11_z = lead_z_place - leader_11_z;
+    wire near_z_both_9 = (lead_z_place_minus_leader_11_z[11:5] == 7'd0) & (lead_z_place_minus_leader_11_z[4:0] < grid_limit);
+    wire near_z_both_10 = &lead_z_place_minus_leader_11_z[11:5] & (near_x_difference < lead_z_place_minus_leader_11_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_10_z = lead_z_place - leader_10_z;
+    wire near_z_both_11 = (lead_z_place_minus_leader_10_z[11:5] == 7'd0) & (lead_z_place_minus_leader_10_z[4:0] < grid_limit);
+    wire near_z_both_12 = &lead_z_place_minus_leader_10_z[11:5] & (near_x_difference < lead_z_place_minus_leader_10_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_9_z = lead_z_place - leader_9_z;
+    wire near_z_both_13 = (lead_z_place_minus_leader_9_z[11:5] == 7'd0) & (lead_z_place_minus_leader_9_z[4:0] < grid_limit);
+    wire near_z_both_14 = &lead_z_place_minus_leader_9_z[11:5] & (near_x_difference < lead_z_place_minus_leader_9_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_8_z = lead_z_place - leader_8_z;
+    wire near_z_both_15 = (lead_z_place_minus_leader_8_z[11:5] == 7'd0) & (lead_z_place_minus_leader_8_z[4:0] < grid_limit);
+    wire near_z_both_16 = &lead_z_place_minus_leader_8_z[11:5] & (near_x_difference < lead_z_place_minus_leader_8_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_7_z = lead_z_place - leader_7_z;
+    wire near_z_both_17 = (lead_z_place_minus_leader_7_z[11:5] == 7'd0) & (lead_z_place_minus_leader_7_z[4:0] < grid_limit);
+    wire near_z_both_18 = &lead_z_place_minus_leader_7_z[11:5] & (near_x_difference < lead_z_place_minus_leader_7_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_6_z = lead_z_place - leader_6_z;
+    wire near_z_both_19 = (lead_z_place_minus_leader_6_z[11:5] == 7'd0) & (lead_z_place_minus_leader_6_z[4:0] < grid_limit);
+    wire near_z_both_20 = &lead_z_place_minus_leader_6_z[11:5] & (near_x_difference < lead_z_place_minus_leader_6_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_5_z = lead_z_place - leader_5_z;
+    wire near_z_both_21 = (lead_z_place_minus_leader_5_z[11:5] == 7'd0) & (lead_z_place_minus_leader_5_z[4:0] < grid_limit);
+    wire near_z_both_22 = &lead_z_place_minus_leader_5_z[11:5] & (near_x_difference < lead_z_place_minus_leader_5_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_4_z = lead_z_place - leader_4_z;
+    wire near_z_both_23 = (lead_z_place_minus_leader_4_z[11:5] == 7'd0) & (lead_z_place_minus_leader_4_z[4:0] < grid_limit);
+    wire near_z_both_24 = &lead_z_place_minus_leader_4_z[11:5] & (near_x_difference < lead_z_place_minus_leader_4_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_3_z = lead_z_place - leader_3_z;
+    wire near_z_both_25 = (lead_z_place_minus_leader_3_z[11:5] == 7'd0) & (lead_z_place_minus_leader_3_z[4:0] < grid_limit);
+    wire near_z_both_26 = &lead_z_place_minus_leader_3_z[11:5] & (near_x_difference < lead_z_place_minus_leader_3_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_2_z = lead_z_place - leader_2_z;
+    wire near_z_both_27 = (lead_z_place_minus_leader_2_z[11:5] == 7'd0) & (lead_z_place_minus_leader_2_z[4:0] < grid_limit);
+    wire near_z_both_28 = &lead_z_place_minus_leader_2_z[11:5] & (near_x_difference < lead_z_place_minus_leader_2_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_1_z = lead_z_place - leader_1_z;
+    wire near_z_both_29 = (lead_z_place_minus_leader_1_z[11:5] == 7'd0) & (lead_z_place_minus_leader_1_z[4:0] < grid_limit);
+    wire near_z_both_30 = &lead_z_place_minus_leader_1_z[11:5] & (near_x_difference < lead_z_place_minus_leader_1_z[4:0]);
+    wire [11:0] lead_z_place_minus_leader_0_z = lead_z_place - leader_0_z;
+    wire near_z_both_31 = (lead_z_place_minus_leader_0_z[11:5] == 7'd0) & (lead_z_place_minus_leader_0_z[4:0] < grid_limit);
+    wire near_z_both_32 = &lead_z_place_minus_leader_0_z[11:5] & (near_x_difference < lead_z_place_minus_leader_0_z[4:0]);
 
     assign {result_number, result_last, result_found, result_index, result_distance2, result_cached} = result_queue_out_data;
     assign {search_number, search_k, search_radius2, search_x, search_y, search_z} = search_queue_out_data;
@@ -4125,13 +4090,13 @@ module search_neighbor_cache (
 
     memory_1w1r #(.WIDTH(6), .DEPTH(8)) counts (
         .clk(clk), .write(copy_ends), .write_address(copy_entry),
-        .write_data(copy_total - {5'd0, copy_full & ~ball}),
+        .write_data(found_queue_out_found ? ((copy_full_same & ~ball) ? copy_rank : copy_rank_plus_1) : (copy_full_same_2 & ~ball) ? (copy_rank - 6'd1) : copy_rank),
         .read(d0_takes), .read_address(deliver_queue_out_entry), .read_data(count)
     );
 
     memory_1w1r #(.WIDTH(163), .DEPTH(32)) tickets (
         .clk(clk), .write(misses), .write_address(next_ticket), .write_data(asked_head),
-        .read(copy_starts), .read_address(found_queue_out_number[4:0]), .read_data(ticket_query)
+        .read(copy_starts_both), .read_address(found_queue_out_number[4:0]), .read_data(ticket_query)
     );
 
     memory_1w1r #(.WIDTH(190), .DEPTH(32)) followers (
@@ -4143,8 +4108,8 @@ module search_neighbor_cache (
         .write_data(query_queue_out_data),
         .read(reads_follower),
         .read_address({
-            |(first_due & 32'hffff0000), |(first_due & 32'hff00ff00), |(first_due & 32'hf0f0f0f0),
-            |(first_due & 32'hcccccccc), |(first_due & 32'haaaaaaaa)
+            |(chosen & 32'hffff0000), |(chosen & 32'hff00ff00), |(chosen & 32'hf0f0f0f0),
+            |(chosen & 32'hcccccccc), |(chosen & 32'haaaaaaaa)
         }),
         .read_data(next)
     );
@@ -4260,10 +4225,15 @@ module search_neighbor_cache (
             reach_valid <= 1'd0;
             d0_valid <= 1'd0;
             d1_valid <= 1'd0;
+            hit_finishes <= 1'd0;
+            delivered_finishes <= 1'd0;
             waits <= 32'd0;
             follower_ready <= 32'd0;
             due <= 32'd0;
+            chosen <= 32'd0;
             has_next <= 1'd0;
+            has_chosen <= 1'd0;
+            has_free_follower <= 1'd0;
             lead_step <= 2'd0;
             grid_known <= 1'd0;
             unfinished <= 16'd0;
@@ -4287,7 +4257,7 @@ module search_neighbor_cache (
             older_than_6 <= used[6] ? 6'd63 : (older_than_6 & ~used[5:0]);
             older_than_7 <= used[7] ? 7'd127 : (older_than_7 & ~used[6:0]);
             taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~taken_bits;
-            under_way <= ((under_way + {4'd0, enters}) - {4'd0, asked_pops & ~misses}) - {4'd0, copy_ends};
+            under_way <= enters ? (still_under_way + 5'd1) : still_under_way;
             asked_count <= (asked_count + {3'd0, enters}) - {3'd0, asked_pops};
             answered <= (answered | hits) & ~asked_pops;
             event_cache_hit <= hits;
@@ -4295,9 +4265,12 @@ module search_neighbor_cache (
             copying <= copy_starts | (copying & ~copy_ends);
             reach_valid <= copy_ends;
             d0_valid <= d0_takes | (d0_valid & ~releases);
-            waits <= (waits & ~follower_read) | follower_enters;
+            hit_finishes <= hits & asked_head[4];
+            delivered_finishes <= judge_out_valid & judge_out_leads;
+            waits <= (waits & ~(chosen & {32{reads_follower}})) | follower_enters;
             follower_ready <= (follower_ready & follower_ready_bits) | becomes_ready;
-            due <= (due & ~follower_read) | (follower_ready & ~follower_ready_bits);
+            due <= (due & ~(first_due & {32{chooses_follower}})) | (follower_ready & ~follower_ready_bits);
+            has_free_follower <= ~(&waits);
             grid_known <= (grid_known | grid_follows) & ~setup_valid;
             unfinished <= (unfinished | becomes_leader) & ~finished_leaders;
             if (start_set[0]) version_0 <= version_0 + 8'd1;
@@ -4315,7 +4288,11 @@ module search_neighbor_cache (
             if (i_advance) i1_valid <= issues;
             if (j_advance) j_valid <= check_out_valid;
             if (d_advance) d1_valid <= d0_valid;
-            if (next_taken) has_next <= |due;
+            if (chooses_follower) begin
+                chosen <= first_due;
+                has_chosen <= |due;
+            end
+            if (next_taken) has_next <= has_chosen;
             if (query_queue_out_valid & (~leads_both | query_taken)) begin
                 lead_step <= lead_step + 2'd1;
             end
@@ -4352,6 +4329,9 @@ module search_neighbor_cache (
         reach_near2 <= ball ? 32'd0 : copy_full ? copy_previous : reach_near2_choice_3;
         reach_leads <= ticket_query[4];
         reach_leader <= ticket_query[3:0];
+        hit_leader <= asked_head[3:0];
+        delivered_leader <= judge_out_leader;
+        free_follower <= ~waits & (32'd0 - ~waits);
         comparable <= (|becomes_leader ? comparable_either : comparable) & ~{16{grid_moves}};
         aligned <= (lead_x_amount_enable_both | aligned) & ~grid_moves;
         if (j_advance) begin
@@ -4360,10 +4340,10 @@ module search_neighbor_cache (
             j_reusable <= reusable;
             j_margin <= check_out_margin;
         end
-        if (copy_starts) copy_entry <= victim;
-        if (copy_starts_or_copy_stores) begin
-            copy_rank <= copy_starts ? 6'd0 : copy_total;
-            copy_previous <= copy_starts ? 32'd0 : found_queue_out_distance2;
+        if (~copying) copy_entry <= victim;
+        if (not_copying_or_copy_stores) begin
+            copy_rank <= copying ? copy_total : 6'd0;
+            copy_previous <= copying ? found_queue_out_distance2 : 32'd0;
         end
         if (d0_takes) begin
             d0_entry <= deliver_queue_out_entry;
@@ -4414,7 +4394,7 @@ module search_neighbor_cache (
         if (follower_enters[31]) follows_31 <= followed;
         if (grid_moves) grid_unit <= j_margin[30:23] - 8'd3;
         if (grid_follows) begin
-            grid_limit <= grid_limit_both_2 ? {1'd1, j_margin[22:19]} : grid_limit_choice;
+            grid_limit <= grid_moves_both_2 ? {1'd1, j_margin[22:19]} : grid_limit_choice;
         end
         if (becomes_leader[0]) begin
             leader_0_x <= lead_x_place;
@@ -4509,7 +4489,25 @@ module search_neighbor_cache (
             lead_y_place <= (lead_y_place_shifted[11:0] & {12{lead_y_inside}}) ^ {12{query_queue_out_y[31]}};
             lead_z_place <= (lead_z_place_shifted[11:0] & {12{lead_z_inside}}) ^ {12{query_queue_out_z[31]}};
         end
-        if (query_queue_out_valid & (lead_step == 2'd2)) near <= near_now;
+        if (near_x_enable_both) begin
+            near_x <= near_x_bits & ({16{aligned & grid_known}} & comparable);
+            near_y <= {
+                near_y_both | near_y_both_2, near_y_both_3 | near_y_both_4, near_y_both_5 | near_y_both_6,
+                near_y_both_7 | near_y_both_8, near_y_both_9 | near_y_both_10, near_y_both_11 | near_y_both_12,
+                near_y_both_13 | near_y_both_14, near_y_both_15 | near_y_both_16, near_y_both_17 | near_y_both_18,
+                near_y_both_19 | near_y_both_20, near_y_both_21 | near_y_both_22, near_y_both_23 | near_y_both_24,
+                near_y_both_25 | near_y_both_26, near_y_both_27 | near_y_both_28, near_y_both_29 | near_y_both_30,
+                near_y_both_31 | near_y_both_32
+            };
+            near_z <= {
+                near_z_both | near_z_both_2, near_z_both_3 | near_z_both_4, near_z_both_5 | near_z_both_6,
+                near_z_both_7 | near_z_both_8, near_z_both_9 | near_z_both_10, near_z_both_11 | near_z_both_12,
+                near_z_both_13 | near_z_both_14, near_z_both_15 | near_z_both_16, near_z_both_17 | near_z_both_18,
+                near_z_both_19 | near_z_both_20, near_z_both_21 | near_z_both_22, near_z_both_23 | near_z_both_24,
+                near_z_both_25 | near_z_both_26, near_z_both_27 | near_z_both_28, near_z_both_29 | near_z_both_30,
+                near_z_both_31 | near_z_both_32
+            };
+        end
     end
     always @(posedge clk) if (enters) asked[asked_write_address] <= {asks_out_data[194:37], asks_out_data[4:0]};
 
@@ -4531,6 +4529,7 @@ module search_neighbor_cache (
         a_comparison_has_its_query: assert (~j_valid | |asked_count);
         a_hit_is_present: assert (~hits | present_shifted_by_j_entry[0]);
         finished_leaders_were_none_before: assert ((finished_leaders & ~unfinished) == 16'd0);
+        a_follower_enters_where_none_waits: assert ((follower_enters & waits) == 32'd0);
         a_miss_has_a_ticket: assert (~misses | any_ticket);
         released_entries_have_readers: assert (~check_either_4);
 `else
@@ -4542,6 +4541,9 @@ module search_neighbor_cache (
         end
         if (!((finished_leaders & ~unfinished) == 16'd0)) begin
             $display("assertion failed: finished_leaders_were_none_before in %m"); $stop;
+        end
+        if (!((follower_enters & waits) == 32'd0)) begin
+            $display("assertion failed: a_follower_enters_where_none_waits in %m"); $stop;
         end
         if (!(~misses | any_ticket)) begin
             $display("assertion failed: a_miss_has_a_ticket in %m"); $stop;
