@@ -10,6 +10,7 @@
 
 mod block;
 mod builder;
+pub mod config;
 mod declaration;
 mod error;
 mod instruction;
@@ -20,11 +21,14 @@ mod operation;
 mod parser;
 mod ports;
 mod program;
+pub mod records;
 mod statement;
 #[cfg(test)]
 mod tests;
+pub mod units;
 
 pub use block::{Block, Node, NodeId, Results, Store};
+pub use config::{Config, ConfigError};
 pub use error::{Fault, ProgramError};
 pub use layout::{Field, Layout, Place, Scalar, Type, Word};
 pub use operation::{EXP_NEGATIVE_END, EXP_NEGATIVE_TABLE, Literal, Operation, Source};
