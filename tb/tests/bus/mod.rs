@@ -18,7 +18,7 @@ const WORD_BITS: u32 = 64;
 /// No test of a unit or a top takes as many.
 const CYCLES_MAX: u64 = 4_000_000;
 /// Runs of one configuration.
-pub const SEEDS: u64 = 3;
+pub const SEEDS: u64 = 30;
 
 /// Splits ports that are wider than a word into words `<port>_0`, `<port>_1` …, lowest first.
 fn narrow(unit: Module) -> Module {

@@ -16,7 +16,7 @@ use environment::{Environment, Feeds, Rule};
 use crate::support;
 
 /// Runs of one configuration.
-const SEEDS: u64 = 5;
+const SEEDS: u64 = 40;
 
 /// Few and many threads, every number of lanes, two formats, with short indices and shallow trees, without caches.
 pub fn configs() -> [Config; 4] {
