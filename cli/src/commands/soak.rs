@@ -113,6 +113,11 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if let Some(path) = &arguments.tables {
         tabulate(&record, path)?;
     }
+    if arguments.recorded {
+        let figures = record.figures();
+        let lines: Vec<_> = figures.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        return output.print(&figures, &lines.join("\n"));
+    }
     let failures: Vec<_> = outcomes.iter().filter_map(failure).collect();
     output.print(&outcomes, &summary(&outcomes))?;
     if arguments.shard.is_some() {
