@@ -8,6 +8,8 @@ use crate::search::environment::{Feeds, Rule};
 use crate::search::{all, configs, distance2, lockstep, radius2, start, word};
 
 const PATHS: u64 = 2000;
+/// Threads that pop without order.
+const DISORDERLY: u64 = 500;
 
 /// The stack, and leaves whose radii shrink while their threads search.
 #[derive(Clone)]
@@ -95,5 +97,59 @@ fn recursion_agrees_with_the_model() {
                 assert_eq!(report.transfers("empty"), report.transfers("start"));
             },
         );
+    }
+}
+
+/// Threads, radii and paths at any time: once all threads have begun, nothing follows from anything.
+#[derive(Clone)]
+struct Disorder {
+    config: Config,
+    begun: u32,
+}
+
+impl Disorder {
+    fn feed(&self, feeds: &mut Feeds) {
+        let mut thread = || feeds.random.u64(..u64::from(self.config.threads));
+        let [popping, starting, narrowing] = [thread(), thread(), thread()];
+        let start = start(&self.config, starting, 0, &mut feeds.random);
+        let radius2 = word(&self.config, radius2(&self.config, &mut feeds.random));
+        feeds.feed("in", vec![popping]);
+        feeds.feed("start", start);
+        feeds.feed("radius", vec![narrowing, radius2]);
+    }
+}
+
+impl Rule for Disorder {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, _: &[u64]) {
+        if stream == "start" {
+            self.begun += 1;
+            if self.begun == self.config.threads {
+                (0..DISORDERLY).for_each(|_| self.feed(feeds));
+            }
+        }
+        let node = feeds.random.u64(..1 << self.config.node_bits());
+        let distance2 = distance2(&self.config, &mut feeds.random);
+        let is_empty = feeds.random.u8(..4) == 0;
+        feeds.hold("top_empty", u64::from(is_empty));
+        feeds.hold("top_node", node);
+        feeds.hold("top_distance2", word(&self.config, distance2));
+    }
+}
+
+#[test]
+fn recursion_agrees_with_the_model_when_nothing_follows_from_anything() {
+    for config in configs() {
+        let begin = |feeds: &mut Feeds| {
+            for thread in 0..config.threads {
+                let start = start(&config, thread.into(), 0, &mut feeds.random);
+                feeds.feed("start", start);
+            }
+            Disorder { config: config.clone(), begun: 0 }
+        };
+        let (module, model) = (recursion::module(&config), Recursion::new(&config));
+        lockstep(&config, &module, &model, &units::recursion::UNIT, begin, all, |_, report| {
+            assert_eq!(report.transfers("in"), DISORDERLY);
+            assert_eq!(report.transfers("resume") + report.transfers("empty"), DISORDERLY);
+        });
     }
 }

@@ -134,3 +134,53 @@ fn beats_without_a_near_point_are_taken_out_as_in_the_model() {
         });
     }
 }
+
+/// Beats, starts and radii at any time: once all threads have begun, nothing follows from anything.
+#[derive(Clone)]
+struct Disorder {
+    config: Config,
+    begun: u32,
+}
+
+impl Disorder {
+    fn feed(&self, feeds: &mut Feeds) {
+        let mut thread = || feeds.random.u64(..u64::from(self.config.threads));
+        let [of_beat, starting, narrowing] = [thread(), thread(), thread()];
+        let mut beat = vec![of_beat, feeds.random.u64(..1 << self.config.beat_bits()), feeds.random.u64(..2)];
+        beat.extend((0..self.config.lanes).map(|_| word(&self.config, distance2(&self.config, &mut feeds.random))));
+        let start = start(&self.config, starting, 0, &mut feeds.random);
+        let radius2 = word(&self.config, radius2(&self.config, &mut feeds.random));
+        feeds.feed("candidates", beat);
+        feeds.feed("start", start);
+        feeds.feed("radius", vec![narrowing, radius2]);
+    }
+}
+
+impl Rule for Disorder {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, _: &[u64]) {
+        if stream == "start" {
+            self.begun += 1;
+            if self.begun == self.config.threads {
+                (0..LEAVES).for_each(|_| self.feed(feeds));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_sieve_agrees_with_the_model_when_nothing_follows_from_anything() {
+    for config in configs() {
+        let begin = |feeds: &mut Feeds| {
+            for thread in 0..config.threads {
+                let start = start(&config, thread.into(), 0, &mut feeds.random);
+                feeds.feed("start", start);
+            }
+            Disorder { config: config.clone(), begun: 0 }
+        };
+        let (module, model) = (sieve::module(&config), Sieve::new(&config));
+        lockstep(&config, &module, &model, &units::sieve::UNIT, begin, all, |_, report| {
+            assert_eq!(report.transfers("candidates"), LEAVES);
+            assert!(report.transfers("kept") > 0 && report.transfers("skipped") > 0);
+        });
+    }
+}
