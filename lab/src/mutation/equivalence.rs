@@ -43,17 +43,38 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Compares a design with its mutant: first the module that is mutated alone, which is small, then the whole.
+/// Compares a design with its mutant: first the module that is mutated alone, which is small, then ever more of what
+/// surrounds it, which may hide the difference or keep it from coming about.
 pub fn prove(yosys: &Tool, subject: &Subject, mutation: &str, seconds: u32) -> Result<Proof, MutationError> {
     let module = mutation.split(' ').skip_while(|word| *word != "-module").nth(1).unwrap_or(&subject.top);
-    match compare(yosys, subject, module, mutation, seconds)? {
-        Proof::Equivalent => Ok(Proof::Equivalent),
-        proof if module == subject.top || (subject.core.is_none() && subject.verilog.len() > LARGEST_BYTES) => {
-            Ok(proof)
+    let is_large = subject.core.is_none() && subject.verilog.len() > LARGEST_BYTES;
+    let mut proof = Proof::Open;
+    for module in surroundings(subject, module).into_iter().filter(|module| !is_large || *module != subject.top) {
+        proof = compare(yosys, subject, &module, mutation, seconds)?;
+        if proof == Proof::Equivalent {
+            break;
         }
-        // What surrounds the module may hide the difference, or keep it from coming about.
-        _ => compare(yosys, subject, &subject.top, mutation, seconds),
     }
+    Ok(proof)
+}
+
+/// A module and those around it, up to the top; the top next where there are several around one.
+fn surroundings(subject: &Subject, module: &str) -> Vec<String> {
+    let mut chain = vec![module.to_owned()];
+    while let Some(inner) = chain.last().filter(|inner| **inner != subject.top) {
+        // Of a module with parameters, yosys' name ends with its own.
+        let name = inner.rsplit('\\').next().unwrap_or(inner);
+        let places = |text: &str| text.lines().any(|line| line.split_whitespace().next() == Some(name));
+        let modules = subject.verilog.split("\nmodule ").skip(1);
+        let around: Vec<&str> =
+            modules.filter(|text| places(text)).filter_map(|text| text.split([' ', '(']).next()).collect();
+        let next = match around[..] {
+            [one] if !chain.iter().any(|inner| inner == one) => one,
+            _ => &subject.top,
+        };
+        chain.push(next.to_owned());
+    }
+    chain
 }
 
 /// Compares a module of a design with its mutant.
@@ -161,6 +182,16 @@ mod tests {
         };
         let Some(never) = stuck("never") else { return };
         assert_eq!((never, stuck("count")), (Proof::Equivalent, Some(Proof::Different)));
+    }
+
+    #[test]
+    fn what_surrounds_a_module_follows_it_up_to_the_top() {
+        let verilog = "// A unit.\nmodule inner(input a);\nendmodule\nmodule outer (input a);\n  inner #(.W(2)) x(.a(a));\nendmodule\n\
+            module top(input a);\n  outer y(.a(a));\n  shared z(.a(a));\nendmodule\nmodule other(input a);\n  shared z(.a(a));\nendmodule\n";
+        let subject = subject(verilog, "", None, "top");
+        assert_eq!(surroundings(&subject, "$paramod$12\\inner"), ["$paramod$12\\inner", "outer", "top"]);
+        assert_eq!(surroundings(&subject, "shared"), ["shared", "top"]);
+        assert_eq!(surroundings(&subject, "top"), ["top"]);
     }
 
     #[test]
