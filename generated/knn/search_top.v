@@ -787,7 +787,7 @@ module search_queue (
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address, arrivals_read_address, owned;
+    reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [3:0] owner;
     reg [1823:0] working;
     reg [15:0] fresh;
@@ -825,7 +825,6 @@ module search_queue (
     wire finish_queue_out_valid;
     wire [3:0] finish_queue_out_data;
 
-    assign candidates_ready = ~(arrivals_count == 2'd2);
     wire [5:0] next_position = position + 6'd1;
     wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
     wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
@@ -990,7 +989,7 @@ module search_queue (
     wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
     wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire arrivals_write_address_enable_both = candidates_valid & candidates_ready;
+    wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire stays_either = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
@@ -1002,6 +1001,7 @@ module search_queue (
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
     wire follows_beat = beat_thread == arrivals_head[186:183];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
+    wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [1823:0] initial_row = {
         25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
         query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
@@ -1197,6 +1197,7 @@ module search_queue (
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
 
+    assign candidates_ready = arrivals_has_room;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -1232,6 +1233,7 @@ module search_queue (
             arrivals_count <= 2'd0;
             arrivals_write_address <= 1'd0;
             arrivals_read_address <= 1'd0;
+            arrivals_has_room <= 1'd1;
             owned <= 1'd0;
             fresh <= 16'd0;
             beat_valid <= 1'd0;
@@ -1254,6 +1256,7 @@ module search_queue (
             event_insert_wait <= 1'd0;
         end else begin
             arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
+            arrivals_has_room <= take | ~arrivals_has_room_either;
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);

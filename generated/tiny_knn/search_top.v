@@ -249,7 +249,7 @@ module search_queue (
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address, arrivals_read_address, owned;
+    reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [1:0] owner;
     reg [327:0] working;
     reg [3:0] fresh;
@@ -283,7 +283,6 @@ module search_queue (
     wire finish_queue_out_valid;
     wire [1:0] finish_queue_out_data;
 
-    assign candidates_ready = ~(arrivals_count == 2'd2);
     wire [3:0] next_position = position + 4'd1;
     wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
     wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[163] : sent_row[122]) : next_position[0] ? sent_row[81] : sent_row[40];
@@ -327,7 +326,7 @@ module search_queue (
     wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
     wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire arrivals_write_address_enable_both = candidates_valid & candidates_ready;
+    wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire beat_free = ~beat_valid | moves;
@@ -336,6 +335,7 @@ module search_queue (
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[66:65]);
     wire follows_beat = beat_thread == arrivals_head[66:65];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
+    wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [327:0] initial_row = {
         17'd0, query[7] ? 24'd0 : query[31:8], 17'd0, query[6] ? 24'd0 : query[31:8], 17'd0,
         query[5] ? 24'd0 : query[31:8], 17'd0, query[4] ? 24'd0 : query[31:8], 17'd0,
@@ -404,6 +404,7 @@ module search_queue (
     wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [23:0] query_radius2 = query_radii[candidates_thread];
 
+    assign candidates_ready = arrivals_has_room;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -436,6 +437,7 @@ module search_queue (
             arrivals_count <= 2'd0;
             arrivals_write_address <= 1'd0;
             arrivals_read_address <= 1'd0;
+            arrivals_has_room <= 1'd1;
             owned <= 1'd0;
             fresh <= 4'd0;
             beat_valid <= 1'd0;
@@ -457,6 +459,7 @@ module search_queue (
             event_beat <= 1'd0;
         end else begin
             arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
+            arrivals_has_room <= take | ~arrivals_has_room_either;
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | waits;

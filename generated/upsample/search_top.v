@@ -1230,7 +1230,7 @@ module search_queue (
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address, arrivals_read_address, owned;
+    reg arrivals_write_address, arrivals_read_address, arrivals_has_room, owned;
     reg [3:0] owner;
     reg [1823:0] working;
     reg [15:0] fresh;
@@ -1268,7 +1268,6 @@ module search_queue (
     wire finish_queue_out_valid;
     wire [3:0] finish_queue_out_data;
 
-    assign candidates_ready = ~(arrivals_count == 2'd2);
     wire [5:0] next_position = position + 6'd1;
     wire last_result_choice = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
     wire last_result_choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
@@ -1433,7 +1432,7 @@ module search_queue (
     wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
     wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire arrivals_write_address_enable_both = candidates_valid & candidates_ready;
+    wire arrivals_write_address_enable_both = candidates_valid & arrivals_has_room;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire stays_either = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
@@ -1445,6 +1444,7 @@ module search_queue (
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
     wire follows_beat = beat_thread == arrivals_head[186:183];
     wire take = |arrivals_count & (beat_free & ~(beat_valid & (follows_tail & ~follows_beat)));
+    wire arrivals_has_room_either = (arrivals_count == 2'd2) | ((arrivals_count == 2'd1) & arrivals_write_address_enable_both);
     wire [1823:0] initial_row = {
         25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
         query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
@@ -1640,6 +1640,7 @@ module search_queue (
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
 
+    assign candidates_ready = arrivals_has_room;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -1675,6 +1676,7 @@ module search_queue (
             arrivals_count <= 2'd0;
             arrivals_write_address <= 1'd0;
             arrivals_read_address <= 1'd0;
+            arrivals_has_room <= 1'd1;
             owned <= 1'd0;
             fresh <= 16'd0;
             beat_valid <= 1'd0;
@@ -1697,6 +1699,7 @@ module search_queue (
             event_insert_wait <= 1'd0;
         end else begin
             arrivals_count <= (arrivals_count + {1'd0, arrivals_write_address_enable_both}) - {1'd0, take};
+            arrivals_has_room <= take | ~arrivals_has_room_either;
             owned <= owned | item_valid;
             fresh <= (fresh & ~fresh_bits) | query_set;
             beat_valid <= take | (stays | waits);
@@ -3566,13 +3569,16 @@ module search_neighbor_cache (
     reg [4:0] older_than_5;
     reg [5:0] older_than_6;
     reg [6:0] older_than_7;
+    reg [7:0] used;
     reg [19:0] taken;
     reg any_ticket;
     reg [4:0] next_ticket, under_way;
+    reg admits_query;
     reg [2:0] next_entry;
+    reg first_entry, last_entry;
     reg [3:0] asked_count;
     reg [2:0] asked_write_address, asked_read_address;
-    reg i1_valid;
+    reg asked_has_room, i1_valid;
     reg [2:0] i1_entry;  // The entry.
     reg i1_last;  // It is the query's last.
     reg i1_present;  // The entry's neighborhood could be reused as it was read.
@@ -3649,6 +3655,13 @@ module search_neighbor_cache (
     reg lead_z_inside;
     reg [11:0] lead_z_place;
     reg [15:0] near_x, near_y, near_z;
+    reg [31:0] entered;
+    reg [3:0] followed_before;
+    reg hit_before_finishes;
+    reg [3:0] hit_before_leader;
+    reg delivered_before_finishes;
+    reg [3:0] delivered_before_leader;
+    reg [7:0] more_readers;
 
     wire deliver_queue_in_ready, deliver_queue_out_valid;
     wire [27:0] deliver_queue_out_data;
@@ -3674,8 +3687,7 @@ module search_neighbor_cache (
     wire [189:0] query_queue_out_data;
 
     wire i_advance = ~i1_valid | check_in_ready;
-    wire first_entry = next_entry == 3'd0;
-    wire admits = ~(asked_count == 4'd8) & (under_way < 5'd20);
+    wire admits = asked_has_room & admits_query;
     wire issues = asks_out_valid & i_advance & (~first_entry | admits);
     wire found_queue_out_last = found_queue_out_data[57];
     wire open = j_valid & ~answered;
@@ -3719,13 +3731,12 @@ module search_neighbor_cache (
         |(free_leader & 16'hff00), |(free_leader & 16'hf0f0), |(free_leader & 16'hcccc),
         |(free_leader & 16'haaaa)
     };
-    wire last_entry = next_entry == 3'd7;
     wire asks_out_ready = issues & last_entry;
     wire leaves = j_valid & ~((hit & ~hits) | (miss & ~misses));
     wire j_advance = ~j_valid | leaves;
     wire query_taken = follows | leads;
     wire [7:0] eligible_bits = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
-    wire [7:0] eligible = ~(eligible_bits | writing);
+    wire [7:0] eligible = ~(eligible_bits | writing | used);
     wire [7:0] before_7 = eligible & {1'd0, older_than_7};
     wire [7:0] before_6 = eligible & {~older_than_7[6], 1'd0, older_than_6};
     wire [7:0] before_5 = eligible & {~older_than_7[5], ~older_than_6[5], 1'd0, older_than_5};
@@ -3761,17 +3772,6 @@ module search_neighbor_cache (
         judge_out_valid & (judge_out_entry == 3'd3), judge_out_valid & (judge_out_entry == 3'd2),
         judge_out_valid & (judge_out_entry == 3'd1), judge_out_valid & (judge_out_entry == 3'd0)
     };
-    wire [7:0] hit_set = {
-        hits & (j_entry == 3'd7), hits & (j_entry == 3'd6), hits & (j_entry == 3'd5),
-        hits & (j_entry == 3'd4), hits & (j_entry == 3'd3), hits & (j_entry == 3'd2),
-        hits & (j_entry == 3'd1), hits & (j_entry == 3'd0)
-    };
-    wire [7:0] end_set = {
-        copy_ends & (copy_entry == 3'd7), copy_ends & (copy_entry == 3'd6), copy_ends & (copy_entry == 3'd5),
-        copy_ends & (copy_entry == 3'd4), copy_ends & (copy_entry == 3'd3), copy_ends & (copy_entry == 3'd2),
-        copy_ends & (copy_entry == 3'd1), copy_ends & (copy_entry == 3'd0)
-    };
-    wire [7:0] more_readers = hit_set | end_set;
     wire d0_last = (d0_next_rank == count) | (count == 6'd0);
     wire releases = d0_reads & d0_last;
     wire [7:0] release_set = {
@@ -3779,7 +3779,11 @@ module search_neighbor_cache (
         releases & (d0_entry == 3'd4), releases & (d0_entry == 3'd3), releases & (d0_entry == 3'd2),
         releases & (d0_entry == 3'd1), releases & (d0_entry == 3'd0)
     };
-    wire [7:0] used = hit_set | start_set;
+    wire [7:0] hit_set = {
+        hits & (j_entry == 3'd7), hits & (j_entry == 3'd6), hits & (j_entry == 3'd5),
+        hits & (j_entry == 3'd4), hits & (j_entry == 3'd3), hits & (j_entry == 3'd2),
+        hits & (j_entry == 3'd1), hits & (j_entry == 3'd0)
+    };
     wire [19:0] lowest_ticket = ~taken & (20'd0 - ~taken);
     wire takes_ticket = ~any_ticket | misses;
     wire [19:0] taken_bits = {
@@ -3802,6 +3806,7 @@ module search_neighbor_cache (
     wire enters = issues & first_entry;
     wire asked_pops = leaves & j_last;
     wire [4:0] still_under_way = (under_way - {4'd0, asked_pops & ~misses}) - {4'd0, copy_ends};
+    wire admits_query_either = (still_under_way == 5'd20) | ((still_under_way == 5'd19) & enters);
     wire [7:0] present_shifted_by_next_entry = present >> next_entry;
     wire [7:0] i1_version_choice = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
     wire [7:0] i1_version_choice_2 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
@@ -3828,6 +3833,10 @@ module search_neighbor_cache (
     wire d0_takes_or_d0_reads = d0_takes | d0_reads;
     wire [31:0] follower_enters = free_follower & {32{follows}};
     wire [31:0] follower_ready_bits = {32{|due}};
+    wire missed_either = (hit_finishes & (hit_leader == followed_before)) | (delivered_finishes & (delivered_leader == followed_before));
+    wire missed_either_2 = missed_either | (hit_before_finishes & (hit_before_leader == followed_before));
+    wire missed_both = delivered_before_finishes & (delivered_before_leader == followed_before);
+    wire missed = missed_either_2 | missed_both;
     wire becomes_ready_either = (hit_finishes & (hit_leader == follows_31)) | (delivered_finishes & (delivered_leader == follows_31));
     wire becomes_ready_either_2 = (hit_finishes & (hit_leader == follows_30)) | (delivered_finishes & (delivered_leader == follows_30));
     wire becomes_ready_either_3 = (hit_finishes & (hit_leader == follows_29)) | (delivered_finishes & (delivered_leader == follows_29));
@@ -3870,7 +3879,18 @@ module search_neighbor_cache (
         becomes_ready_either_25, becomes_ready_either_26, becomes_ready_either_27, becomes_ready_either_28,
         becomes_ready_either_29, becomes_ready_either_30, becomes_ready_either_31, becomes_ready_either_32
     };
-    wire [15:0] first_candidate = candidates & (16'd0 - candidates);
+    wire [31:0] becomes_ready = waits & ~(follower_ready | due | chosen) & ((entered & {32{missed}}) | (becomes_ready_bits & ~entered));
+    wire [31:0] first_due = due & (32'd0 - due);
+    wire chooses_follower = next_taken | ~has_chosen;
+    wire grid_follows_both = ~j_margin[31] & ((8'd4 <= j_margin[30:23]) & (j_margin[30:23] < 8'd255));
+    wire grid_follows = leaves & j_reusable & grid_follows_both;
+    wire [8:0] margin_above_unit = {1'd0, j_margin[30:23]} - {1'd0, grid_unit};
+    wire grid_moves_both = grid_known & (margin_above_unit == 9'd2);
+    wire grid_moves_both_2 = grid_known & (margin_above_unit == 9'd4);
+    wire grid_moves_either = (grid_known & (margin_above_unit == 9'd3)) | grid_moves_both | grid_moves_both_2;
+    wire grid_moves = grid_follows & ~grid_moves_either;
+    wire [4:0] grid_limit_choice = grid_moves_both ? {3'd1, j_margin[22:21]} : {2'd1, j_margin[22:20]};
+    wire [15:0] becomes_leader = free_leader & {16{leads}};
     wire [15:0] finished_leaders_bits = {
         hit_finishes & (hit_leader == 4'd15), hit_finishes & (hit_leader == 4'd14),
         hit_finishes & (hit_leader == 4'd13), hit_finishes & (hit_leader == 4'd12),
@@ -3892,22 +3912,6 @@ module search_neighbor_cache (
         delivered_finishes & (delivered_leader == 4'd1), delivered_finishes & (delivered_leader == 4'd0)
     };
     wire [15:0] finished_leaders = finished_leaders_bits | finished_leaders_bits_2;
-    wire [31:0] becomes_ready = (waits & ~(follower_ready | due | chosen) & becomes_ready_bits) | (follower_enters & {32{|(first_candidate & finished_leaders)}});
-    wire [31:0] first_due = due & (32'd0 - due);
-    wire chooses_follower = next_taken | ~has_chosen;
-    wire [3:0] followed = {
-        |(first_candidate & 16'hff00), |(first_candidate & 16'hf0f0), |(first_candidate & 16'hcccc),
-        |(first_candidate & 16'haaaa)
-    };
-    wire grid_follows_both = ~j_margin[31] & ((8'd4 <= j_margin[30:23]) & (j_margin[30:23] < 8'd255));
-    wire grid_follows = leaves & j_reusable & grid_follows_both;
-    wire [8:0] margin_above_unit = {1'd0, j_margin[30:23]} - {1'd0, grid_unit};
-    wire grid_moves_both = grid_known & (margin_above_unit == 9'd2);
-    wire grid_moves_both_2 = grid_known & (margin_above_unit == 9'd4);
-    wire grid_moves_either = (grid_known & (margin_above_unit == 9'd3)) | grid_moves_both | grid_moves_both_2;
-    wire grid_moves = grid_follows & ~grid_moves_either;
-    wire [4:0] grid_limit_choice = grid_moves_both ? {3'd1, j_margin[22:21]} : {2'd1, j_margin[22:20]};
-    wire [15:0] becomes_leader = free_leader & {16{leads}};
     wire [15:0] comparable_either = (comparable & ~becomes_leader) | (becomes_leader & {16{aligned}});
     wire lead_x_amount_enable_both = query_queue_out_valid & (lead_step == 2'd0);
     wire [9:0] grid_unit_plus_34 = {2'd0, grid_unit} + 10'd34;
@@ -4072,6 +4076,16 @@ module search_neighbor_cache (
     wire [11:0] lead_z_place_minus_leader_0_z = lead_z_place - leader_0_z;
     wire near_z_both_31 = (lead_z_place_minus_leader_0_z[11:5] == 7'd0) & (lead_z_place_minus_leader_0_z[4:0] < grid_limit);
     wire near_z_both_32 = &lead_z_place_minus_leader_0_z[11:5] & (near_x_difference < lead_z_place_minus_leader_0_z[4:0]);
+    wire [15:0] first_candidate = candidates & (16'd0 - candidates);
+    wire [3:0] followed = {
+        |(first_candidate & 16'hff00), |(first_candidate & 16'hf0f0), |(first_candidate & 16'hcccc),
+        |(first_candidate & 16'haaaa)
+    };
+    wire [7:0] end_set = {
+        copy_ends & (copy_entry == 3'd7), copy_ends & (copy_entry == 3'd6), copy_ends & (copy_entry == 3'd5),
+        copy_ends & (copy_entry == 3'd4), copy_ends & (copy_entry == 3'd3), copy_ends & (copy_entry == 3'd2),
+        copy_ends & (copy_entry == 3'd1), copy_ends & (copy_entry == 3'd0)
+    };
 
     assign {result_number, result_last, result_found, result_index, result_distance2, result_cached} = result_queue_out_data;
     assign {search_number, search_k, search_radius2, search_x, search_y, search_z} = search_queue_out_data;
@@ -4209,13 +4223,18 @@ module search_neighbor_cache (
             older_than_5 <= 5'd31;
             older_than_6 <= 6'd63;
             older_than_7 <= 7'd127;
+            used <= 8'd0;
             taken <= 20'd0;
             any_ticket <= 1'd0;
             under_way <= 5'd0;
+            admits_query <= 1'd1;
             next_entry <= 3'd0;
+            first_entry <= 1'd1;
+            last_entry <= 1'd0;
             asked_count <= 4'd0;
             asked_write_address <= 3'd0;
             asked_read_address <= 3'd0;
+            asked_has_room <= 1'd1;
             i1_valid <= 1'd0;
             j_valid <= 1'd0;
             answered <= 1'd0;
@@ -4237,6 +4256,10 @@ module search_neighbor_cache (
             lead_step <= 2'd0;
             grid_known <= 1'd0;
             unfinished <= 16'd0;
+            entered <= 32'd0;
+            hit_before_finishes <= 1'd0;
+            delivered_before_finishes <= 1'd0;
+            more_readers <= 8'd0;
         end else begin
             present <= ((present & ~start_set) | (judged_set & ~stale)) & ~{8{setup_valid}};
             writing <= (writing | start_set) & ~judged_set;
@@ -4256,9 +4279,12 @@ module search_neighbor_cache (
             older_than_5 <= used[5] ? 5'd31 : (older_than_5 & ~used[4:0]);
             older_than_6 <= used[6] ? 6'd63 : (older_than_6 & ~used[5:0]);
             older_than_7 <= used[7] ? 7'd127 : (older_than_7 & ~used[6:0]);
+            used <= hit_set | start_set;
             taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~taken_bits;
             under_way <= enters ? (still_under_way + 5'd1) : still_under_way;
+            admits_query <= ~admits_query_either;
             asked_count <= (asked_count + {3'd0, enters}) - {3'd0, asked_pops};
+            asked_has_room <= asked_pops | ~((asked_count == 4'd8) | ((asked_count == 4'd7) & enters));
             answered <= (answered | hits) & ~asked_pops;
             event_cache_hit <= hits;
             event_cache_miss <= misses;
@@ -4273,6 +4299,10 @@ module search_neighbor_cache (
             has_free_follower <= ~(&waits);
             grid_known <= (grid_known | grid_follows) & ~setup_valid;
             unfinished <= (unfinished | becomes_leader) & ~finished_leaders;
+            entered <= follower_enters;
+            hit_before_finishes <= hit_finishes;
+            delivered_before_finishes <= delivered_finishes;
+            more_readers <= hit_set | end_set;
             if (start_set[0]) version_0 <= version_0 + 8'd1;
             if (start_set[1]) version_1 <= version_1 + 8'd1;
             if (start_set[2]) version_2 <= version_2 + 8'd1;
@@ -4282,7 +4312,11 @@ module search_neighbor_cache (
             if (start_set[6]) version_6 <= version_6 + 8'd1;
             if (start_set[7]) version_7 <= version_7 + 8'd1;
             if (takes_ticket) any_ticket <= ~(&taken);
-            if (issues) next_entry <= last_entry ? 3'd0 : (next_entry + 3'd1);
+            if (issues) begin
+                next_entry <= last_entry ? 3'd0 : (next_entry + 3'd1);
+                first_entry <= last_entry;
+                last_entry <= next_entry == 3'd6;
+            end
             if (enters) asked_write_address <= asked_write_address + 3'd1;
             if (asked_pops) asked_read_address <= asked_read_address + 3'd1;
             if (i_advance) i1_valid <= issues;
@@ -4334,6 +4368,9 @@ module search_neighbor_cache (
         free_follower <= ~waits & (32'd0 - ~waits);
         comparable <= (|becomes_leader ? comparable_either : comparable) & ~{16{grid_moves}};
         aligned <= (lead_x_amount_enable_both | aligned) & ~grid_moves;
+        followed_before <= followed;
+        hit_before_leader <= hit_leader;
+        delivered_before_leader <= delivered_leader;
         if (j_advance) begin
             j_entry <= check_out_entry;
             j_last <= check_out_last;
@@ -4360,38 +4397,38 @@ module search_neighbor_cache (
             d1_found <= |count;
             d1_cached <= d0_cached;
         end
-        if (follower_enters[0]) follows_0 <= followed;
-        if (follower_enters[1]) follows_1 <= followed;
-        if (follower_enters[2]) follows_2 <= followed;
-        if (follower_enters[3]) follows_3 <= followed;
-        if (follower_enters[4]) follows_4 <= followed;
-        if (follower_enters[5]) follows_5 <= followed;
-        if (follower_enters[6]) follows_6 <= followed;
-        if (follower_enters[7]) follows_7 <= followed;
-        if (follower_enters[8]) follows_8 <= followed;
-        if (follower_enters[9]) follows_9 <= followed;
-        if (follower_enters[10]) follows_10 <= followed;
-        if (follower_enters[11]) follows_11 <= followed;
-        if (follower_enters[12]) follows_12 <= followed;
-        if (follower_enters[13]) follows_13 <= followed;
-        if (follower_enters[14]) follows_14 <= followed;
-        if (follower_enters[15]) follows_15 <= followed;
-        if (follower_enters[16]) follows_16 <= followed;
-        if (follower_enters[17]) follows_17 <= followed;
-        if (follower_enters[18]) follows_18 <= followed;
-        if (follower_enters[19]) follows_19 <= followed;
-        if (follower_enters[20]) follows_20 <= followed;
-        if (follower_enters[21]) follows_21 <= followed;
-        if (follower_enters[22]) follows_22 <= followed;
-        if (follower_enters[23]) follows_23 <= followed;
-        if (follower_enters[24]) follows_24 <= followed;
-        if (follower_enters[25]) follows_25 <= followed;
-        if (follower_enters[26]) follows_26 <= followed;
-        if (follower_enters[27]) follows_27 <= followed;
-        if (follower_enters[28]) follows_28 <= followed;
-        if (follower_enters[29]) follows_29 <= followed;
-        if (follower_enters[30]) follows_30 <= followed;
-        if (follower_enters[31]) follows_31 <= followed;
+        if (entered[0]) follows_0 <= followed_before;
+        if (entered[1]) follows_1 <= followed_before;
+        if (entered[2]) follows_2 <= followed_before;
+        if (entered[3]) follows_3 <= followed_before;
+        if (entered[4]) follows_4 <= followed_before;
+        if (entered[5]) follows_5 <= followed_before;
+        if (entered[6]) follows_6 <= followed_before;
+        if (entered[7]) follows_7 <= followed_before;
+        if (entered[8]) follows_8 <= followed_before;
+        if (entered[9]) follows_9 <= followed_before;
+        if (entered[10]) follows_10 <= followed_before;
+        if (entered[11]) follows_11 <= followed_before;
+        if (entered[12]) follows_12 <= followed_before;
+        if (entered[13]) follows_13 <= followed_before;
+        if (entered[14]) follows_14 <= followed_before;
+        if (entered[15]) follows_15 <= followed_before;
+        if (entered[16]) follows_16 <= followed_before;
+        if (entered[17]) follows_17 <= followed_before;
+        if (entered[18]) follows_18 <= followed_before;
+        if (entered[19]) follows_19 <= followed_before;
+        if (entered[20]) follows_20 <= followed_before;
+        if (entered[21]) follows_21 <= followed_before;
+        if (entered[22]) follows_22 <= followed_before;
+        if (entered[23]) follows_23 <= followed_before;
+        if (entered[24]) follows_24 <= followed_before;
+        if (entered[25]) follows_25 <= followed_before;
+        if (entered[26]) follows_26 <= followed_before;
+        if (entered[27]) follows_27 <= followed_before;
+        if (entered[28]) follows_28 <= followed_before;
+        if (entered[29]) follows_29 <= followed_before;
+        if (entered[30]) follows_30 <= followed_before;
+        if (entered[31]) follows_31 <= followed_before;
         if (grid_moves) grid_unit <= j_margin[30:23] - 8'd3;
         if (grid_follows) begin
             grid_limit <= grid_moves_both_2 ? {1'd1, j_margin[22:19]} : grid_limit_choice;

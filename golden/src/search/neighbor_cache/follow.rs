@@ -24,6 +24,9 @@ pub(super) struct Follow {
     followers: Vec<(State, CachedQuery)>,
     /// Where the next query that follows goes.
     free: Option<usize>,
+    /// Where one went in the last cycle, and the leaders that finished in it.
+    entered: Option<usize>,
+    finished: Vec<usize>,
     chosen: Option<usize>,
     /// The query that is compared next: the stage w.
     next: Option<CachedQuery>,
@@ -31,7 +34,8 @@ pub(super) struct Follow {
 
 impl Follow {
     pub(super) fn new(config: &Config) -> Self {
-        Self { followers: vec![Default::default(); config.followers() as usize], free: None, chosen: None, next: None }
+        let followers = vec![Default::default(); config.followers() as usize];
+        Self { followers, free: None, entered: None, finished: vec![], chosen: None, next: None }
     }
 
     pub(super) const fn has_room(&self) -> bool {
@@ -64,16 +68,20 @@ impl Follow {
             self.chosen = due;
             due.into_iter().for_each(|due| self.followers[due].0 = State::Chosen);
         }
-        if let Some((query, leader)) = enters {
-            let place = &mut self.followers[self.free.expect("a query follows only if there is room")];
-            assert_eq!(place.0, State::Free, "queries follow some cycles apart");
-            *place = (State::WaitsFor(leader), query);
-        }
-        self.free = free;
-        for (state, _) in &mut self.followers {
-            if matches!(state, State::WaitsFor(leader) if finished.contains(leader)) {
+        let missed = self.entered.take().map(|entered| (entered, self.finished.as_slice()));
+        for (follower, (state, _)) in self.followers.iter_mut().enumerate() {
+            let late = missed.filter(|(entered, _)| *entered == follower).map_or(&[][..], |(_, finished)| finished);
+            if matches!(state, State::WaitsFor(leader) if finished.contains(leader) || late.contains(leader)) {
                 *state = State::Ready;
             }
         }
+        if let Some((query, leader)) = enters {
+            let free = self.free.expect("a query follows only if there is room");
+            assert_eq!(self.followers[free].0, State::Free, "queries follow some cycles apart");
+            self.followers[free] = (State::WaitsFor(leader), query);
+            self.entered = Some(free);
+        }
+        self.finished = finished.to_vec();
+        self.free = free;
     }
 }

@@ -18,7 +18,7 @@ use crate::units::passage::Passage;
 use crate::units::ports::{Flow, OutputPorts, StreamOutPorts};
 use crate::units::values::{Terms, Values};
 use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, Module, lit};
+use rtl::{Expr, Module, bit, lit};
 
 /// Queries whose comparisons may be under way.
 const CHECKS: u32 = 8;
@@ -190,8 +190,9 @@ impl Comparisons {
         let accepts = datapath.room(m);
 
         let entry = m.reg_reset("next_entry", config.entry_bits(), 0);
-        let first = m.wire("first_entry", entry.is_zero());
-        let last = m.wire("last_entry", entry.eq_lit(u128::from(config.neighbor_cache) - 1));
+        let last_entry = config.neighbor_cache - 1;
+        let first = m.reg_reset("first_entry", 1, 1);
+        let last = m.reg_reset("last_entry", 1, u64::from(last_entry == 0).into());
         let issues = m.forward("issues", 1);
         let enters = m.wire("enters", issues & first);
         let asked = HeadQueue::new(m, config, "asked", CHECKS);
@@ -199,12 +200,15 @@ impl Comparisons {
 
         let i1_valid = m.reg_reset("i1_valid", 1, 0);
         let advance = m.wire("i_advance", !i1_valid | accepts);
-        let admits = m.wire("admits", asked.room & from.tickets.admit());
+        let admits = m.wire("admits", asked.room & from.tickets.admits);
         m.drive(issues, (queries.valid & advance) & (!first | admits));
         m.drive(queries.ready, issues & last);
         m.next_if(entry, issues, last.mux(lit(entry.width(), 0), entry.add_lit(1)));
+        m.next_if(first, issues, last);
+        let is_last_but_one = entry.eq_lit(last_entry.saturating_sub(1).into());
+        m.next_if(last, issues, if last_entry == 0 { bit(true) } else { is_last_but_one });
         m.next_if(i1_valid, advance, issues);
-        let judged = Judged { entry: entry.expr(), last };
+        let judged = Judged { entry: entry.expr(), last: last.expr() };
         let (present, version) = (from.entries.is_present(*entry), from.entries.version(*entry));
         let item = Item { judged, present, version }.register(m, config, "i1_", issues);
         let ball = Ball { point: query.point, reach }.register(m, config, "i1_", issues);

@@ -77,9 +77,18 @@ impl Follow {
         let finishes = |leader: Expr| finished.iter().fold(bit(false), |any, finished| any | finished.is(leader));
         let met = set(&leaders.iter().map(|leader| finishes(leader.expr())).collect::<Vec<_>>());
         let unmet = waits & !(ready | due | chosen);
-        let becomes = m.wire("becomes_ready", (unmet & met) | (enters & role.finishes.repeat(count)));
+        // Of one that enters the leader is known too late: whether it finishes in that cycle counts in the next.
+        let entered = m.reg_reset("entered", count, 0);
+        m.next(entered, enters);
+        let followed = m.reg("followed_before", config.leader_bits());
+        m.next(followed, role.followed);
+        let names = ["hit_before", "delivered_before"];
+        let before: Vec<_> = names.iter().zip(finished).map(|(name, finished)| finished.register(m, name)).collect();
+        let missed = before.iter().fold(finishes(followed.expr()), |any, finished| any | finished.is(followed.expr()));
+        let missed = m.wire("missed", missed);
+        let becomes = m.wire("becomes_ready", unmet & ((entered & missed.repeat(count)) | (met & !entered.expr())));
         for (follower, leader) in (0..).zip(leaders) {
-            m.next_if(leader, enters.bit(follower), role.followed);
+            m.next_if(leader, entered.bit(follower), followed);
         }
         let is_due = due.any().repeat(count);
         m.next(waits, (waits & !(chosen & reads.repeat(count))) | enters);

@@ -72,8 +72,6 @@ pub(super) struct Role {
     pub follows: Expr,
     /// For this one.
     pub followed: Expr,
-    /// That one finishes in this cycle.
-    pub finishes: Expr,
     /// It is compared.
     pub leads: Expr,
     /// The query, as one that leads.
@@ -173,8 +171,7 @@ pub(super) fn lead(
     m.assert("finished_leaders_were_none_before", (gone & !leaders.unfinished).is_zero());
     grid.update(m, measured, setup);
     let leading = Leading { leads: free.any(), leader: index_of(free, bits) };
-    let finishes = (first & gone).any();
-    Role { follows, followed, finishes, leads, asked: Asked { query: queries.record, leading } }
+    Role { follows, followed, leads, asked: Asked { query: queries.record, leading } }
 }
 
 /// A query that others do not wait for.

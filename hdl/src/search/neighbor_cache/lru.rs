@@ -46,6 +46,8 @@ pub(super) struct Entries {
     stale: Reg,
     versions: Vec<Reg>,
     readers: Vec<Reg>,
+    /// Those that a query was answered from or that were given away in the last cycle: their ages and readers follow.
+    used: Reg,
     /// For each entry but the first, which of those before it were used earlier.
     older: Vec<Reg>,
     /// The least recently used entry that is neither read nor written; valid if there is one.
@@ -85,12 +87,13 @@ impl Entries {
             (1..count).map(|entry| m.reg_reset(&format!("older_than_{entry}"), entry, all(entry))).collect();
 
         let read = set(&readers.iter().map(|readers| readers.any()).collect::<Vec<_>>());
-        let eligible = m.wire("eligible", !(read | writing));
+        let used = m.reg_reset("used", count, 0);
+        let eligible = m.wire("eligible", !(read | writing | used));
         let chosen = oldest(m, eligible, &older);
         let victims = m.wire("oldest", chosen);
         let victim = m.wire("victim", index_of(victims, config.entry_bits()));
         let victim = Chosen { valid: eligible.any(), entry: victim };
-        Self { present, writing, stale, versions, readers, older, victim, victims }
+        Self { present, writing, stale, versions, readers, used, older, victim, victims }
     }
 
     /// Whether the entry holds a neighborhood that may be reused.
@@ -105,7 +108,7 @@ impl Entries {
 
     /// The entries as they are after a cycle. A hit and a start never come together.
     pub fn update(self, m: &mut Module, uses: &Uses) {
-        let Self { present, writing, stale, versions, readers, older, victims, .. } = self;
+        let Self { present, writing, stale, versions, readers, used, older, victims, .. } = self;
         let count = present.width();
         let events = [("hit", uses.hit), ("end", uses.end), ("judged", uses.judged), ("release", uses.release)];
         let [hit, end, judged, release] =
@@ -119,15 +122,17 @@ impl Entries {
             m.next_if(version, start.bit(entry), version.add_lit(1));
         }
 
-        let more = m.wire("more_readers", hit | end);
+        // One whose neighbors have all come is written until it is judged.
+        let more = m.reg_reset("more_readers", count, 0);
+        m.next(more, hit | end);
         for (entry, &readers) in (0..).zip(&readers) {
-            let [up, down] = [more, release].map(|set| set.bit(entry).zext(readers.width()));
+            let [up, down] = [more.expr(), release].map(|set| set.bit(entry).zext(readers.width()));
             m.next(readers, readers + up - down);
         }
         let none_read = (0..).zip(&readers).map(|(entry, readers)| readers.is_zero() & release.bit(entry));
         m.assert("released_entries_have_readers", !none_read.fold(bit(false), |any, faulty| any | faulty));
 
-        let used = m.wire("used", hit | start);
+        m.next(used, hit | start);
         for (entry, older) in (1..).zip(older) {
             let width = older.width();
             let now = used.bit(entry).mux(!lit(width, 0), older & !used.trunc(width));

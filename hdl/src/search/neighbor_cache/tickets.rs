@@ -15,6 +15,8 @@ pub(super) struct Tickets {
     queries: Memory,
     /// Queries that hold a ticket or may still ask for one.
     under_way: Reg,
+    /// One more query may be compared: none waits for a ticket afterwards.
+    pub admits: Reg,
     /// `next` is a ticket: it is one whenever a query misses.
     pub any: Reg,
     /// The ticket of the next query that misses, found ahead: the way on is long enough without the search for a free one.
@@ -31,12 +33,8 @@ impl Tickets {
         let any = m.reg_reset("any_ticket", 1, 0);
         let next = m.reg("next_ticket", bits);
         let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1), 0);
-        Self { taken, queries, under_way, any, next }
-    }
-
-    /// One more query may be compared: none waits for a ticket afterwards.
-    pub fn admit(&self) -> Expr {
-        self.under_way.lt_lit(self.taken.width() as u128)
+        let admits = m.reg_reset("admits_query", 1, 1);
+        Self { taken, queries, under_way, admits, any, next }
     }
 
     /// The query of the ticket that a result bears; read where `enable` is set.
@@ -59,6 +57,8 @@ impl Tickets {
         // Whether a query enters is known last.
         let left = m.wire("still_under_way", self.under_way - answered - returns);
         m.next(self.under_way, check.enters.mux(left.add_lit(1), left));
+        let [full, one_left] = [0, 1].map(|left_over| left.eq_lit(u128::from(count - left_over)));
+        m.next(self.admits, !(full | (one_left & check.enters)));
         m.next(self.taken, (self.taken | (lowest & takes.repeat(count))) & !returned);
     }
 }

@@ -8,13 +8,14 @@ use rtl::{Expr, Memory, Module, Reg};
 
 /// The queue. An item that is pushed shows at the head in the next cycle if it was empty.
 pub(crate) struct HeadQueue<B> {
-    /// An item can be pushed in this cycle.
-    pub room: Expr,
+    /// An item can be pushed in this cycle: known from the start of it, for much hangs on a push.
+    pub room: Reg,
     /// There is an item.
     pub holds: Expr,
     /// The first one.
     pub head: B,
     items: Memory,
+    depth: u32,
     count: Reg,
     write_address: Reg,
     read_address: Reg,
@@ -29,8 +30,9 @@ impl<B: Bundle> HeadQueue<B> {
             ["write", "read"].map(|side| m.reg_reset(&format!("{name}_{side}_address"), address_bits, 0));
         let items = m.memory_distributed(name, depth, width::<B>(config));
         let head = m.read_now(items, &format!("{name}_head"), read_address);
-        let (room, holds, head) = (!count.eq_lit(depth as u128), count.any(), B::unpack(config, head));
-        Self { room, holds, head, items, count, write_address, read_address }
+        let room = m.reg_reset(&format!("{name}_has_room"), 1, 1);
+        let (holds, head) = (count.any(), B::unpack(config, head));
+        Self { room, holds, head, items, depth, count, write_address, read_address }
     }
 
     /// Pushes an item where `push` is set, which implies room, and takes out the head where `pop` is; to be called once.
@@ -40,5 +42,7 @@ impl<B: Bundle> HeadQueue<B> {
         m.next_if(self.read_address, pop, self.read_address.add_lit(1));
         let count = &self.count;
         m.next(*count, *count + push.zext(count.width()) - pop.zext(count.width()));
+        let is = |items: u32| count.eq_lit(items.into());
+        m.next(self.room, pop | !(is(self.depth) | (is(self.depth - 1) & push)));
     }
 }
