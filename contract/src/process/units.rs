@@ -4,6 +4,12 @@ use super::config::Config;
 use super::records::{Gather, Gathered, KernelInput, LineFetch, Neighbor, Settings, Sums};
 use crate::{record, unit};
 
+/// Neighbors that may wait for their turn to be read: as many as a memory's latency has cycles.
+pub const NEIGHBORS_UNDER_WAY: u32 = 64;
+
+/// Lines that may be under way.
+pub const LINES_UNDER_WAY: u32 = 16;
+
 /// What the gathering of neighbors did.
 #[record(config: Config)]
 pub struct GatherEvents {

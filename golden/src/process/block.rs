@@ -78,7 +78,8 @@ impl Blocks {
     }
 
     /// A partial sum and an addend.
-    pub(super) fn add(&self, ty: Scalar, a: u32, b: u32) -> u32 {
+    #[must_use]
+    pub fn add(&self, ty: Scalar, a: u32, b: u32) -> u32 {
         match ty {
             Scalar::Float => float::add(self.format, a.into(), b.into()) as u32,
             Scalar::Int | Scalar::Bool => a.wrapping_add(b),

@@ -15,6 +15,8 @@ pub struct Feeds {
     sources: Vec<Source>,
     inputs: Vec<Port>,
     held: Vec<(usize, u64)>,
+    /// What is held from the next cycle on.
+    held_next: Vec<(usize, u64)>,
     /// For what the rule leaves to chance.
     pub random: fastrand::Rng,
 }
@@ -58,8 +60,19 @@ impl Feeds {
 
     /// Holds an input that belongs to no stream.
     pub fn hold(&mut self, name: &str, value: u64) {
-        let position = self.inputs.iter().position(|port| port.name == name).expect("inputs are named as specified");
+        let position = self.position(name);
         self.held.push((position, value));
+    }
+
+    /// Raises an input that belongs to no stream for a cycle.
+    pub fn pulse(&mut self, name: &str) {
+        let position = self.position(name);
+        self.held.push((position, 1));
+        self.held_next.push((position, 0));
+    }
+
+    fn position(&self, name: &str) -> usize {
+        self.inputs.iter().position(|port| port.name == name).expect("inputs are named as specified")
     }
 }
 
@@ -102,7 +115,7 @@ impl<R: Rule> Environment<R> {
                 (Direction::Output, None) => {}
             }
         }
-        let mut feeds = Feeds { sources, inputs: library.inputs().to_vec(), held: vec![], random };
+        let mut feeds = Feeds { sources, inputs: library.inputs().to_vec(), held: vec![], held_next: vec![], random };
         let rule = begin(&mut feeds);
         Self { streams, feeds, sinks, rule, quiet: 0 }
     }
@@ -128,6 +141,7 @@ impl<R: Rule> Stimulus for Environment<R> {
         for (position, value) in self.feeds.held.drain(..) {
             inputs[position] = value;
         }
+        self.feeds.held = std::mem::take(&mut self.feeds.held_next);
         let Feeds { sources, inputs: ports, random, .. } = &mut self.feeds;
         for source in sources.iter_mut().filter(|source| !source.offering) {
             let item = source.next();
