@@ -21,7 +21,9 @@ mod operation;
 mod parser;
 mod ports;
 mod program;
+pub mod queries;
 pub mod records;
+pub mod stages;
 mod statement;
 #[cfg(test)]
 mod tests;
