@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pointcore_contract::Format;
 use pointcore_contract::process::library::{PROGRAMS, program};
 use pointcore_contract::process::{Config, PARTIAL_SUMS, Section, Source, units};
-use pointcore_golden::process::{Blocks, Kernel, Latencies, Pipeline};
+use pointcore_golden::process::{Blocks, Kernel, KernelPipelines, Pipeline};
 use pointcore_hdl::compiler::{Manifest, Options};
 use pointcore_hdl::process::kernel;
 
@@ -85,7 +85,7 @@ impl Rule for Queries {
 fn agrees(config: &Config) {
     let kernel::Kernel { module, kernel, sums } =
         kernel::unit(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-    let model = Kernel::new(config, Latencies { kernel: pipeline(&kernel), sums: pipeline(&sums) });
+    let model = Kernel::new(config, KernelPipelines { kernel: pipeline(&kernel), sums: pipeline(&sums) });
     let begin = |feeds: &mut Feeds| {
         let blocks = Blocks::new((*config.program).clone(), config.format);
         let mut queries = Queries { blocks, settings: vec![], expected: VecDeque::new() };

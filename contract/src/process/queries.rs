@@ -222,15 +222,15 @@ pub struct Change {
     #[name(config.stored_name(Section::Final, i))]
     #[bits(config.stored_bits(Section::Final, i))]
     pub state: [u32; WORDS_MAX],
-    /// Which fields of it are written.
-    #[count(config.program.block(Section::Final).results().stores.len())]
-    #[name(config.write_name(Section::Final, i))]
-    pub writes: [bool; WORDS_MAX],
     /// The query's new position.
     #[count(if config.has_movement() { 3 } else { 0 })]
     #[name(format!("moved_{}", config.program.query.words()[i].name))]
     #[bits(config.format.width())]
     pub moved: [u32; 3],
+    /// Which fields of the state are written.
+    #[count(config.program.block(Section::Final).results().stores.len())]
+    #[name(config.write_name(Section::Final, i))]
+    pub writes: [bool; WORDS_MAX],
     /// The query has moved there.
     #[when(config.has_movement())]
     #[name("move")]

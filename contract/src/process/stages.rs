@@ -7,7 +7,7 @@ use super::queries::{
 };
 use super::records::{Gather, Gathered, KernelInput, LineFetch, Neighbor, Settings, Sums, Thread};
 use super::units::GatherEvents;
-use crate::{record, unit};
+use crate::{Unit, record, unit};
 
 /// Gives queries to threads, keeps their neighbors, and says which block each goes to next.
 #[unit(process_control, config: Config)]
@@ -112,7 +112,7 @@ pub struct Output {
     /// Iterations that a query has at most, at least one.
     #[bits(ITERATION_BITS)]
     iterations_max: Input<u16>,
-    /// A thread takes up a query.
+    /// A thread takes up a query; not in two cycles in a row.
     numbered: PulseIn<Numbered>,
     /// What comes of `final`.
     finished: In<Finished>,
@@ -172,3 +172,6 @@ pub struct Top {
     #[port("")]
     events: Output<Events>,
 }
+
+/// Every unit that leads queries from block to block.
+pub static UNITS: [&Unit<Config>; 5] = [&control::UNIT, &bank::UNIT, &init::UNIT, &finish::UNIT, &output::UNIT];

@@ -3,7 +3,6 @@
 //! Neighbor `i` of a query goes to partial sum `i mod 8` of each sum, which begins as +0. Two banks of partial sums take
 //! turns: the sums of a query wait in theirs until they have left, while the next query's neighbors are added.
 
-use super::Latencies;
 use super::block::Blocks;
 use crate::datapath::Datapath;
 use crate::stream::Skid;
@@ -15,6 +14,24 @@ use pointcore_contract::process::{Config, PARTIAL_SUMS, Scalar, Section, Source}
 
 /// Banks of partial sums.
 const BANKS: usize = 2;
+
+/// A compiled pipeline, from the manifest that the generator writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pipeline {
+    /// Stages.
+    pub latency: u32,
+    /// Cycles from one token to the next.
+    pub interval: u32,
+}
+
+/// The unit's pipelines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KernelPipelines {
+    /// Of the block `kernel`.
+    pub kernel: Pipeline,
+    /// Of the sums' adders.
+    pub sums: Pipeline,
+}
 
 /// What of a neighbor goes to the sums.
 #[derive(Clone, Copy, Debug)]
@@ -72,14 +89,14 @@ pub struct Kernel {
 impl Kernel {
     /// The unit after reset, with pipelines of the given lengths.
     #[must_use]
-    pub fn new(config: &Config, latencies: Latencies) -> Self {
+    pub fn new(config: &Config, pipelines: KernelPipelines) -> Self {
         let program = (*config.program).clone();
         Self {
             sums: program.sums.words().into_iter().map(|word| word.ty).collect(),
             blocks: Blocks::new(program, config.format),
             neighbor: Skid::default(),
-            kernel: Datapath::new(latencies.kernel.latency, latencies.kernel.interval),
-            adders: Datapath::new(latencies.sums.latency, latencies.sums.interval),
+            kernel: Datapath::new(pipelines.kernel.latency, pipelines.kernel.interval),
+            adders: Datapath::new(pipelines.sums.latency, pipelines.sums.interval),
             banks: [Bank::default(); BANKS],
             adding: 0,
             count: 0,

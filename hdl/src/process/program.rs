@@ -6,7 +6,7 @@
 use crate::compiler::{self, CompileError, Datapath, Graph, Options, Program, Table, Type, Value};
 use crate::float::exp_neg;
 use pointcore_contract::process::{
-    self, EXP_NEGATIVE_END, EXP_NEGATIVE_TABLE, Literal, Node, Operation, PARTIAL_SUMS, Scalar, Section, Source,
+    self, EXP_NEGATIVE_END, EXP_NEGATIVE_TABLE, Literal, Node, Operation, PARTIAL_SUMS, Port, Scalar, Section, Source,
 };
 use pointcore_contract::{Fixed, Format, Signedness};
 use std::collections::HashMap;
@@ -51,8 +51,19 @@ pub fn graph(program: &process::Program, section: Section, format: Format) -> Re
     let unit = format!("{}_{}", program.name(), section.name());
     let doc = format!("The block `{}` of the program `{}`.", section.name(), program.name());
     let target = Program::new(&unit, &doc);
+    lower(&target, program, (section, &program.inputs(section)), format)?;
+    target.graph()
+}
+
+/// Writes a block to a program of the compiler, its inputs in the order of `ports`.
+pub(super) fn lower(
+    target: &Program,
+    program: &process::Program,
+    (section, ports): (Section, &[Port]),
+    format: Format,
+) -> Result<(), CompileError> {
     let mut lowering = Lowering { program: target.clone(), format, sources: HashMap::new() };
-    for port in program.inputs(section) {
+    for port in ports {
         let ty = lowering.ty(port.ty);
         let value = match port.source {
             Source::Setting(_) => target.uniform(&port.name, ty),
@@ -74,7 +85,7 @@ pub fn graph(program: &process::Program, section: Section, format: Format) -> Re
         let value = outgoing.value.map_or_else(|| target.lit(1, 1), |id| values[id.index()]);
         target.output(&outgoing.name, value);
     }
-    target.graph()
+    Ok(())
 }
 
 /// A block that becomes a program of the compiler.

@@ -5,6 +5,7 @@ mod block;
 mod cost;
 mod generator;
 mod library;
+pub mod scene;
 
 use crate::compiler::model::{build, compile_all, run};
 use block::{Counts, Golden, settings};

@@ -39,11 +39,11 @@ pub fn configs() -> [Config; 4] {
 
 /// Steps a unit and its model in lockstep under several seeds, its streams and pulses being those of the contract; `begin` queues the first items and makes the rule, `check`
 /// looks at the rule and at what moved.
-pub fn lockstep<C: Clone + 'static, M: Model<Config = C> + 'static, R: Rule>(
-    config: &C,
+pub fn lockstep<M: Model + 'static, R: Rule>(
+    config: &M::Config,
     module: &Module,
     model: &M,
-    unit: &Unit<C>,
+    unit: &Unit<M::Config>,
     begin: impl Fn(&mut Feeds) -> R,
     mask: impl Fn(&mut [u64]) + Clone + Send + 'static,
     check: impl Fn(&R, &LockstepReport),

@@ -1,0 +1,44 @@
+//! What the tests of the process core's units share: configurations, and items of random words.
+
+use fastrand::Rng;
+use pointcore_contract::process::library::program;
+use pointcore_contract::process::{Config, Program};
+use pointcore_contract::{Format, Record, fields};
+use std::sync::Arc;
+
+/// Looks at the farthest neighbor, and does what the library does not.
+const FARTHEST: &str = include_str!("farthest.pasm");
+
+/// Without and with `init`, and with one that looks at the farthest neighbor; few and many threads and neighbors.
+pub fn configs() -> [Config; 4] {
+    let config = |program, threads, neighbors| Config {
+        program: Arc::new(program),
+        format: Format::F32.flushed(),
+        index_bits: 12,
+        neighbors,
+        threads,
+        rate: 1,
+        line_points: 4,
+        cache_lines: 8,
+    };
+    let farthest = Program::parse("farthest.pasm", FARTHEST).unwrap_or_else(|error| panic!("{error}"));
+    [
+        config(program("smooth"), 1, 5),
+        config(program("mls"), 3, 1),
+        Config { format: Format::F24.flushed(), rate: 2, ..config(farthest, 16, 8) },
+        config(program("resample"), 7, 64),
+    ]
+}
+
+/// An item of a stream that begins with `first`; what is behind is random.
+pub fn item<R: Record>(config: &R::Config, first: &[u64], random: &mut Rng) -> Vec<u64> {
+    let widths = fields::<R>(config).into_iter().map(|field| field.width);
+    let word = |(index, width)| first.get(index).copied().unwrap_or_else(|| random.u64(..) >> (64 - width));
+    widths.enumerate().map(word).collect()
+}
+
+/// The word of a field of that name in an item.
+pub fn field<R: Record>(config: &R::Config, item: &[u64], name: &str) -> u64 {
+    let place = fields::<R>(config).iter().position(|field| field.name == name);
+    item[place.unwrap_or_else(|| panic!("no field {name}"))]
+}

@@ -1,0 +1,87 @@
+//! Output against its model, with queries that are done sooner or later.
+
+use pointcore_contract::process::queries::{Finished, Numbered, Outcome};
+use pointcore_contract::process::{Config, stages};
+use pointcore_golden::process::Output;
+use pointcore_hdl::process::output;
+
+use crate::process::scene::{configs, field, item};
+use crate::search::environment::{Feeds, Rule};
+use crate::search::{all, lockstep};
+
+const QUERIES: u64 = 300;
+const ITERATIONS_MAX: u64 = 3;
+/// A query's blocks take longer.
+const BLOCK_CYCLES: u32 = 3;
+
+/// Threads that finish iterations, one after the other.
+#[derive(Clone)]
+struct Queries {
+    config: Config,
+    left: u64,
+    /// By thread: the query's number, its complete iterations, whether the last one made it done.
+    threads: Vec<(u64, u64, bool)>,
+    /// What leaves, in order: number, iterations, capped.
+    expected: Vec<[u64; 3]>,
+    left_with: Vec<[u64; 3]>,
+}
+
+impl Queries {
+    fn number(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.left > 0 {
+            self.left -= 1;
+            let numbered = item::<Numbered>(&self.config, &[thread], &mut feeds.random);
+            self.threads[thread as usize] = (numbered[1], 0, false);
+            feeds.feed_after(1, "numbered", numbered);
+        }
+    }
+
+    fn iterate(&self, feeds: &mut Feeds, thread: u64) {
+        let finished = item::<Finished>(&self.config, &[thread], &mut feeds.random);
+        feeds.feed_after(BLOCK_CYCLES, "finished", finished);
+    }
+}
+
+impl Rule for Queries {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "numbered" | "update" => self.iterate(feeds, fields[0]),
+            "finished" => {
+                let done = field::<Finished>(&self.config, fields, "done") == 1;
+                let (number, iterations, _) = &mut self.threads[fields[0] as usize];
+                *iterations += 1;
+                let capped = !done && *iterations == ITERATIONS_MAX;
+                if done || capped {
+                    self.expected.push([*number, *iterations, capped.into()]);
+                }
+            }
+            "released" => self.number(feeds, fields[0]),
+            "result" => {
+                let names = ["number", "iterations", "capped"];
+                self.left_with.push(names.map(|name| field::<Outcome>(&self.config, fields, name)));
+            }
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn queries_leave_when_they_are_done_or_capped() {
+    for config in configs() {
+        let begin = |feeds: &mut Feeds| {
+            feeds.hold("iterations_max", ITERATIONS_MAX);
+            let threads = vec![(0, 0, false); config.threads as usize];
+            let (expected, left_with) = (vec![], vec![]);
+            let mut queries = Queries { config: config.clone(), left: QUERIES, threads, expected, left_with };
+            (0..config.threads.into()).for_each(|thread| queries.number(feeds, thread));
+            queries
+        };
+        let (module, model) = (output::module(&config), Output::new(&config));
+        lockstep(&config, &module, &model, &stages::output::UNIT, begin, all, |queries, report| {
+            assert_eq!(report.transfers("result"), QUERIES);
+            assert_eq!(queries.left_with, queries.expected);
+            let capped = queries.expected.iter().filter(|[_, _, capped]| *capped == 1).count() as u64;
+            assert!(capped > 0 && capped < QUERIES, "{capped} are capped");
+        });
+    }
+}

@@ -1,0 +1,83 @@
+//! The blocks `init` and `final` as units against their models: each thread leaves with what was computed of its words.
+
+use pointcore_contract::process::queries::{FinalInput, FinalSettings, InitInput, InitSettings};
+use pointcore_contract::process::{Config, stages};
+use pointcore_contract::{Record, Unit, fields};
+use pointcore_golden::process::{Finish, Init};
+use pointcore_golden::unit::Model;
+use pointcore_hdl::compiler::{Datapath, Options};
+use pointcore_hdl::process::stage;
+
+use crate::process::scene::configs;
+use crate::search::environment::{Feeds, Rule};
+use crate::search::{all, lockstep};
+
+const QUERIES: u64 = 40;
+
+/// Collects threads.
+#[derive(Clone, Default)]
+struct Threads {
+    entered: Vec<u64>,
+    left: Vec<u64>,
+}
+
+impl Rule for Threads {
+    fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
+        let threads = if stream == "in" { &mut self.entered } else { &mut self.left };
+        threads.push(fields[0]);
+    }
+}
+
+/// Words of a record; those of a float's width have magnitudes that programs can do something with.
+fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
+    let format = config.format;
+    let word = |width: u32| {
+        let word = random.u64(..) >> (64 - width);
+        let exponent = random.u64(format.bias() - 6..format.bias() + 4);
+        let is_tame = width == format.width() && random.u8(..8) > 0;
+        if is_tame { word & !format.infinity() | exponent << format.mantissa } else { word }
+    };
+    fields::<R>(config).into_iter().map(|field| field.width).map(word).collect()
+}
+
+fn agree<M, I, S>(config: &Config, unit: &Unit<Config>, (datapath, model): (Datapath, M))
+where
+    M: Model<Config = Config> + 'static,
+    I: Record<Config = Config>,
+    S: Record<Config = Config>,
+{
+    let begin = |feeds: &mut Feeds| {
+        let settings = words::<S>(config, &mut feeds.random);
+        for (field, value) in fields::<S>(config).iter().zip(settings) {
+            feeds.hold(&format!("setting_{}", field.name), value);
+        }
+        for _ in 0..QUERIES {
+            let mut input = words::<I>(config, &mut feeds.random);
+            input[0] = feeds.random.u64(..config.threads.into());
+            feeds.feed("in", input);
+        }
+        Threads::default()
+    };
+    lockstep(config, &datapath.module, &model, unit, begin, all, |threads, report| {
+        assert_eq!(report.transfers("out"), QUERIES);
+        assert_eq!(threads.left, threads.entered);
+    });
+}
+
+#[test]
+fn blocks_agree_with_the_model_thread_by_thread() {
+    let mut inits = 0;
+    for config in configs() {
+        let compile = |datapath: Result<Datapath, _>| datapath.unwrap_or_else(|error| panic!("{error}"));
+        let finish = compile(stage::finish(&config, &Options::default()));
+        let model = Finish::new(&config, finish.manifest.latency);
+        agree::<_, FinalInput, FinalSettings>(&config, &stages::finish::UNIT, (finish, model));
+        if config.has_init() {
+            inits += 1;
+            let init = compile(stage::init(&config, &Options::default()));
+            let model = Init::new(&config, init.manifest.latency);
+            agree::<_, InitInput, InitSettings>(&config, &stages::init::UNIT, (init, model));
+        }
+    }
+    assert_eq!(inits, 2);
+}
