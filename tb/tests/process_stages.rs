@@ -31,13 +31,13 @@ impl Rule for Threads {
 /// Words of a record; those of a float's width have magnitudes that programs can do something with.
 fn words<R: Record<Config = Config>>(config: &Config, random: &mut fastrand::Rng) -> Vec<u64> {
     let format = config.format;
-    let word = |width: u32| {
+    let mut word = |width: u32| {
         let word = random.u64(..) >> (64 - width);
-        let exponent = random.u64(format.bias() - 6..format.bias() + 4);
+        let exponent = random.i32(format.bias() - 6..format.bias() + 4) as u64;
         let is_tame = width == format.width() && random.u8(..8) > 0;
         if is_tame { word & !format.infinity() | exponent << format.mantissa } else { word }
     };
-    fields::<R>(config).into_iter().map(|field| field.width).map(word).collect()
+    fields::<R>(config).into_iter().map(|field| word(field.width)).collect()
 }
 
 fn agree<M, I, S>(config: &Config, unit: &Unit<Config>, (datapath, model): (Datapath, M))
@@ -53,7 +53,7 @@ where
         }
         for _ in 0..QUERIES {
             let mut input = words::<I>(config, &mut feeds.random);
-            input[0] = feeds.random.u64(..config.threads.into());
+            input[0] = feeds.random.u32(..config.threads).into();
             feeds.feed("in", input);
         }
         Threads::default()

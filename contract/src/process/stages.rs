@@ -124,6 +124,40 @@ pub struct Output {
     released: PulseOut<Thread>,
 }
 
+/// Queries and their threads with all that goes on between searching, gathering and `kernel`: control, register bank,
+/// `init`, `final` and output.
+#[unit(process_threads, config: Config)]
+pub struct Threads {
+    /// Constants of the run.
+    #[port("setting")]
+    settings: Input<Settings>,
+    /// Iterations that a query has at most, at least one.
+    #[bits(ITERATION_BITS)]
+    iterations_max: Input<u16>,
+    /// Queries.
+    query: In<Query>,
+    /// Searches.
+    wanted: Out<Wanted>,
+    /// Neighbors found.
+    found: In<Found>,
+    /// Neighbors wanted.
+    gather: Out<Gather>,
+    /// Neighbors in the order in which they were wanted.
+    gathered: In<Gathered>,
+    /// What `kernel` takes.
+    kernel: Out<KernelInput>,
+    /// What comes of it.
+    sums: In<Sums>,
+    /// Queries that leave, in any order.
+    result: Out<Outcome>,
+    /// Nothing is under way.
+    idle: Output<bool>,
+    /// A query waits for a thread.
+    event_thread_wait: Output<bool>,
+    /// A query is not done.
+    event_again: Output<bool>,
+}
+
 /// What the process core did.
 #[record(config: Config)]
 pub struct Events {
@@ -136,9 +170,9 @@ pub struct Events {
     /// A neighbor waited for the kernel.
     #[name("event_kernel_wait")]
     pub kernel_wait: bool,
-    /// An iteration ended.
-    #[name("event_iteration")]
-    pub iteration: bool,
+    /// A query was not done after an iteration.
+    #[name("event_again")]
+    pub again: bool,
     /// What the gathering did.
     pub gather: GatherEvents,
 }
@@ -173,5 +207,6 @@ pub struct Top {
     events: Output<Events>,
 }
 
-/// Every unit that leads queries from block to block.
-pub static UNITS: [&Unit<Config>; 5] = [&control::UNIT, &bank::UNIT, &init::UNIT, &finish::UNIT, &output::UNIT];
+/// Every unit that leads queries from block to block, all of them together last.
+pub static UNITS: [&Unit<Config>; 6] =
+    [&control::UNIT, &bank::UNIT, &init::UNIT, &finish::UNIT, &output::UNIT, &threads::UNIT];

@@ -8,6 +8,7 @@ pub mod interpreter;
 pub mod kernel;
 pub mod output;
 pub mod stage;
+pub mod threads;
 
 pub use bank::Bank;
 pub use block::Blocks;
@@ -17,3 +18,13 @@ pub use interpreter::{Interpreter, Neighborhood, Outcome};
 pub use kernel::{Kernel, KernelPipelines, Pipeline};
 pub use output::Output;
 pub use stage::{Finish, Init};
+pub use threads::Threads;
+
+/// Stages of the compiled blocks, from the manifests that the generator writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Latencies {
+    /// Of `init`, where there is one.
+    pub init: Option<u32>,
+    /// Of `final`.
+    pub finish: u32,
+}

@@ -7,6 +7,7 @@ pub mod kernel;
 pub mod output;
 pub mod program;
 pub mod stage;
+pub mod threads;
 
 use pointcore_contract::Unit;
 use pointcore_contract::process::{Config, stages};
@@ -17,13 +18,14 @@ use rtl::Module;
 /// A unit and its hardware, with the compiler's default options.
 pub type Described = (&'static Unit<Config>, fn(&Config) -> Result<Module, CompileError>);
 
-/// Every unit that leads queries from block to block.
-pub const UNITS: [Described; 5] = [
+/// Every unit that leads queries from block to block, all of them together last.
+pub const UNITS: [Described; 6] = [
     (&stages::control::UNIT, |config| Ok(control::module(config))),
     (&stages::bank::UNIT, |config| Ok(bank::module(config))),
     (&stages::init::UNIT, |config| Ok(stage::init(config, &Options::default())?.module)),
     (&stages::finish::UNIT, |config| Ok(stage::finish(config, &Options::default())?.module)),
     (&stages::output::UNIT, |config| Ok(output::module(config))),
+    (&stages::threads::UNIT, |config| Ok(threads::core(config, &Options::default())?.module)),
 ];
 
 #[cfg(test)]
