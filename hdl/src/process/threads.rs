@@ -130,7 +130,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
         bank: m.instance("bank", bank::module(config)),
         init,
         finish: m.instance("finish", finish.module),
-        output: m.instance("output", output::module(config)),
+        output: m.instance("results", output::module(config)),
     };
     units.connect(&mut m, config);
     units.settings(&mut m, config);

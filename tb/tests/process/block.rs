@@ -118,7 +118,7 @@ impl Golden {
 }
 
 /// A moderate value: floats within ±1, few of them very small.
-fn tame(rng: &mut Rng, format: Format, ty: Scalar) -> u32 {
+pub fn tame(rng: &mut Rng, format: Format, ty: Scalar) -> u32 {
     match ty {
         Scalar::Float => encode(format, rng.f64() * 2.0 - 1.0),
         Scalar::Int => rng.i32(-9..10) as u32,

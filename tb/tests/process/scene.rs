@@ -1,5 +1,6 @@
 //! What the tests of the process core's units share: configurations, and items of random words.
 
+pub use super::block::{settings, tame};
 use fastrand::Rng;
 use pointcore_contract::process::library::program;
 use pointcore_contract::process::{Config, Program};
