@@ -22,6 +22,8 @@ use crate::search::{all, lockstep};
 
 const QUERIES: u64 = 40;
 const ITERATIONS_MAX: u32 = 4;
+/// Longer than a block of any program takes.
+const BLOCK_CYCLES: u64 = 1500;
 /// Cycles that a search takes at most.
 const SEARCH_CYCLES: u32 = 60;
 
@@ -165,6 +167,10 @@ impl Surroundings {
 }
 
 impl Rule for Surroundings {
+    fn quiet_cycles(&self) -> u64 {
+        BLOCK_CYCLES
+    }
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "query" => {

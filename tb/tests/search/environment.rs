@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams};
 use pointcore_tb::verilated::{Direction, Library, Port};
 
-/// Cycles without a transfer that end a run; longer than any latency or pause here.
+/// Cycles without a transfer that end a run, where its rule does not say otherwise; longer than any latency or pause here.
 const QUIET_CYCLES: u64 = 400;
 
 /// What waits to enter the unit.
@@ -80,6 +80,11 @@ impl Feeds {
 pub trait Rule: Clone {
     /// Called for every transfer, in the cycle after it.
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]);
+
+    /// Cycles without a transfer that end a run.
+    fn quiet_cycles(&self) -> u64 {
+        QUIET_CYCLES
+    }
 }
 
 /// The surroundings of a unit.
@@ -158,6 +163,6 @@ impl<R: Rule> Stimulus for Environment<R> {
         }
         let waiting = self.feeds.sources.iter().any(|source| source.offering || !source.items.is_empty());
         self.quiet = if moved || waiting { 0 } else { self.quiet + 1 };
-        if self.quiet > QUIET_CYCLES { Flow::Done } else { Flow::Continue }
+        if self.quiet > self.rule.quiet_cycles() { Flow::Done } else { Flow::Continue }
     }
 }
