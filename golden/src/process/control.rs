@@ -147,16 +147,14 @@ impl Control {
         let advances = self.read.is_none() || self.gather.in_ready();
         let read = if advances { self.read.take() } else { None };
         self.gather.step(read, inputs.gather_ready);
-        if advances {
-            if let Some(turn) = &mut self.turn {
-                let Turn { thread, rank, last, farthest, none } = *turn;
-                let index = self.lists[usize::from(thread.thread) * self.neighbors + rank];
-                let place = NeighborPlace { thread, farthest, none, last: rank == last && !farthest };
-                self.read = Some(Gather { place, index: if none { 0 } else { index } });
-                turn.rank += 1;
-                if rank == last {
-                    self.turn = None;
-                }
+        if advances && let Some(turn) = &mut self.turn {
+            let Turn { thread, rank, last, farthest, none } = *turn;
+            let index = self.lists[usize::from(thread.thread) * self.neighbors + rank];
+            let place = NeighborPlace { thread, farthest, none, last: rank == last && !farthest };
+            self.read = Some(Gather { place, index: if none { 0 } else { index } });
+            turn.rank += 1;
+            if rank == last {
+                self.turn = None;
             }
         }
         if self.turn.is_some() {

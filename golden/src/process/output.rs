@@ -77,7 +77,9 @@ impl Model for Output {
                 update = Some(Update { again, change: finished.change, count: iterations });
             }
         }
-        if update.is_none() && let Some(thread) = self.begun.take() {
+        if update.is_none()
+            && let Some(thread) = self.begun.take()
+        {
             self.counts[usize::from(thread.thread)] = 0;
         }
         self.has_read = inputs.finished.is_some() && !takes;

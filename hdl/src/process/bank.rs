@@ -5,9 +5,7 @@ use crate::units::ports::{Pulse, PulseInPorts, PulseOutPorts, QueueOut, StreamIn
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::Record;
 use pointcore_contract::process::config::{BLOCK_WORDS_MAX, Config, ITERATION_BITS};
-use pointcore_contract::process::queries::{
-    Change, FinalInput, Fresh, InitInput, Listed, Stores, Update, Wanted,
-};
+use pointcore_contract::process::queries::{Change, FinalInput, Fresh, InitInput, Listed, Stores, Update, Wanted};
 use pointcore_contract::process::records::{Gathered, KernelInput, Neighbor, Sums, Thread};
 use pointcore_contract::process::stages::bank::PORTS;
 use pointcore_contract::process::{Section, Source};
@@ -60,12 +58,7 @@ impl<'a> Writes<'a> {
     }
 
     /// The word of a block's stores that is written to a word of the state, and when.
-    fn stored(
-        &self,
-        section: Section,
-        word: usize,
-        (state, writes): (&[Expr], &[Expr]),
-    ) -> Option<(Expr, Expr)> {
+    fn stored(&self, section: Section, word: usize, (state, writes): (&[Expr], &[Expr])) -> Option<(Expr, Expr)> {
         let place = self.config.stored_by(section).iter().position(|&stored| stored == word)?;
         let stores = &self.config.program.block(section).results().stores;
         let field = stores.iter().position(|store| (store.first..store.first + store.words.len()).contains(&word))?;
@@ -89,8 +82,7 @@ impl<'a> Writes<'a> {
                     data = self.updates.mux(value, data);
                 }
                 if let Some((happens, stores)) = &self.stores
-                    && let Some((is_written, value)) =
-                        self.stored(Section::Init, word, (&stores.state, &stores.writes))
+                    && let Some((is_written, value)) = self.stored(Section::Init, word, (&stores.state, &stores.writes))
                 {
                     enable = enable | (*happens & is_written);
                     data = happens.mux(value, data);

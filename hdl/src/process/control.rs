@@ -4,9 +4,7 @@
 //! Threads wait in queues as long as there are threads: who pushes one need not ask for room.
 
 use crate::stream::fifo_distributed;
-use crate::units::ports::{
-    Flow, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort,
-};
+use crate::units::ports::{Flow, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Registers, Wires, layout};
 use pointcore_contract::process::config::Config;
@@ -134,12 +132,8 @@ fn take_turns(
     let is_last = m.wire("is_last", turn.rank.eq(turn.last));
     let emits = m.wire("emits", turn_valid & advance);
     m.next_if(read_valid, advance, turn_valid);
-    let place = NeighborPlace {
-        thread: turn.thread,
-        farthest: turn.farthest,
-        none: turn.none,
-        last: is_last & !turn.farthest,
-    };
+    let place =
+        NeighborPlace { thread: turn.thread, farthest: turn.farthest, none: turn.none, last: is_last & !turn.farthest };
     let place = place.register(m, config, "read_", advance);
     let index = m.read_if(lists.indices, "index", emits, address(turn.thread.thread, turn.rank));
     let index = index & (!place.none).repeat(config.index_bits);

@@ -4,7 +4,7 @@
 use super::{bank, control, output, stage};
 use crate::compiler::{CompileError, Manifest, Options};
 use crate::units::ports::{
-    InputPorts, PulseInPorts, PulseOutPorts, Pulse, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse,
+    InputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse,
 };
 use pointcore_contract::process::config::{Config, ITERATION_BITS, WORDS_MAX};
 use pointcore_contract::process::queries::{FinalSettings, Fresh, InitSettings, Numbered};
@@ -42,8 +42,7 @@ impl Units {
     /// Leads what goes round from one unit to the next.
     fn connect(&self, m: &mut Module, config: &Config) {
         let Self { control, bank, finish, output, init } = *self;
-        let (of_control, of_bank, of_output) =
-            (stages::control::PORTS, stages::bank::PORTS, stages::output::PORTS);
+        let (of_control, of_bank, of_output) = (stages::control::PORTS, stages::bank::PORTS, stages::output::PORTS);
         let start = of_control.start.of(m, config, control);
         let (thread, query) = (start.record.thread, start.record.query);
         let fresh = Pulse { valid: start.valid, record: Fresh { thread, words: query.words } };
@@ -82,8 +81,7 @@ impl Units {
     /// Leads streams in and out.
     fn border(&self, m: &mut Module, config: &Config) {
         let Self { control, bank, output, .. } = *self;
-        let (of_control, of_bank, of_output) =
-            (stages::control::PORTS, stages::bank::PORTS, stages::output::PORTS);
+        let (of_control, of_bank, of_output) = (stages::control::PORTS, stages::bank::PORTS, stages::output::PORTS);
         let query = PORTS.query.declare(m, config);
         of_control.query.feed(m, config, control, query);
         let wanted = of_bank.wanted.of(m, config, bank);
