@@ -7,7 +7,7 @@ use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams
 use pointcore_tb::verilated::{Direction, Library, Port};
 
 /// Cycles without a transfer that end a run, where its rule does not say otherwise; longer than any latency or pause here.
-const QUIET_CYCLES: u64 = 400;
+const QUIET_CYCLES: u64 = 2000;
 
 /// What waits to enter the unit.
 #[derive(Clone)]
