@@ -6,7 +6,7 @@ use super::queries::{
     Query, Start, Stores, Update, Wanted,
 };
 use super::records::{Gather, Gathered, KernelInput, LineFetch, Neighbor, Settings, Sums, Thread};
-use super::units::GatherEvents;
+use super::units::{GatherEvents, gatherer, kernel};
 use crate::{Unit, record, unit};
 
 /// Gives queries to threads, keeps their neighbors, and says which block each goes to next.
@@ -207,6 +207,15 @@ pub struct Top {
     events: Output<Events>,
 }
 
-/// Every unit that leads queries from block to block, all of them together last.
-pub static UNITS: [&Unit<Config>; 6] =
-    [&control::UNIT, &bank::UNIT, &init::UNIT, &finish::UNIT, &output::UNIT, &threads::UNIT];
+/// Every unit of the process core, the core itself last.
+pub static UNITS: [&Unit<Config>; 9] = [
+    &control::UNIT,
+    &bank::UNIT,
+    &init::UNIT,
+    &finish::UNIT,
+    &output::UNIT,
+    &threads::UNIT,
+    &gatherer::UNIT,
+    &kernel::UNIT,
+    &top::UNIT,
+];

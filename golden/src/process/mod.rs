@@ -9,6 +9,7 @@ pub mod kernel;
 pub mod output;
 pub mod stage;
 pub mod threads;
+pub mod top;
 
 pub use bank::Bank;
 pub use block::Blocks;
@@ -19,6 +20,7 @@ pub use kernel::{Kernel, KernelPipelines, Pipeline};
 pub use output::Output;
 pub use stage::{Finish, Init};
 pub use threads::Threads;
+pub use top::Top;
 
 /// Stages of the compiled blocks, from the manifests that the generator writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,5 @@
-//! The register bank (thesis 6.5.4): words of queries by thread, a copy of each for each block that reads it; golden twin:
-//! `pointcore_golden::process::bank`.
+//! The register bank (thesis 6.5.4): words of queries by thread, a copy of each for each block that reads it; golden
+//! twin: `pointcore_golden::process::bank`.
 
 use crate::units::ports::{Pulse, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, held};
 use crate::units::wires::{Bundle, Wires};
@@ -97,8 +97,8 @@ impl<'a> Writes<'a> {
         }
     }
 
-    /// A block's copies of the words that it reads: those of `thread` a cycle after `enable`. A neighbor's words are those
-    /// beside.
+    /// A block's copies of the words that it reads: those of `thread` a cycle after `enable`. A neighbor's words are
+    /// those beside.
     fn read(
         &self,
         m: &mut Module,

@@ -8,9 +8,10 @@ pub mod output;
 pub mod program;
 pub mod stage;
 pub mod threads;
+pub mod top;
 
 use pointcore_contract::Unit;
-use pointcore_contract::process::{Config, stages};
+use pointcore_contract::process::{Config, stages, units};
 
 use crate::compiler::{CompileError, Options};
 use rtl::Module;
@@ -18,14 +19,17 @@ use rtl::Module;
 /// A unit and its hardware, with the compiler's default options.
 pub type Described = (&'static Unit<Config>, fn(&Config) -> Result<Module, CompileError>);
 
-/// Every unit that leads queries from block to block, all of them together last.
-pub const UNITS: [Described; 6] = [
+/// Every unit of the process core, the core itself last.
+pub const UNITS: [Described; 9] = [
     (&stages::control::UNIT, |config| Ok(control::module(config))),
     (&stages::bank::UNIT, |config| Ok(bank::module(config))),
     (&stages::init::UNIT, |config| Ok(stage::init(config, &Options::default())?.module)),
     (&stages::finish::UNIT, |config| Ok(stage::finish(config, &Options::default())?.module)),
     (&stages::output::UNIT, |config| Ok(output::module(config))),
     (&stages::threads::UNIT, |config| Ok(threads::core(config, &Options::default())?.module)),
+    (&units::gatherer::UNIT, |config| Ok(gatherer::module(config))),
+    (&units::kernel::UNIT, |config| Ok(kernel::unit(config, &Options::default())?.module)),
+    (&stages::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
 ];
 
 #[cfg(test)]

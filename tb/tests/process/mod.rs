@@ -2,6 +2,7 @@
 //! what operators they take.
 
 mod block;
+pub mod cloud;
 mod cost;
 mod generator;
 mod library;

@@ -2,7 +2,7 @@
 
 pub use super::block::{settings, tame};
 use fastrand::Rng;
-use pointcore_contract::process::library::program;
+use pointcore_contract::process::library::{PROGRAMS, program};
 use pointcore_contract::process::{Config, Program};
 use pointcore_contract::{Format, Record, fields};
 use std::sync::Arc;
@@ -29,6 +29,19 @@ pub fn configs() -> [Config; 4] {
         Config { format: Format::F24.flushed(), rate: 2, ..config(farthest, 16, 8) },
         config(program("resample"), 7, 64),
     ]
+}
+
+/// Every program of the library and one that does what those do not, with few and many threads and neighbors.
+pub fn every_program() -> Vec<Config> {
+    let shapes = [(1, 3), (5, 64), (16, 16), (32, 8)];
+    let [base, _, farthest, _] = configs();
+    let library = PROGRAMS.iter().zip(shapes.into_iter().cycle()).map(|((name, _), (threads, neighbors))| Config {
+        program: Arc::new(program(name)),
+        threads,
+        neighbors,
+        ..base.clone()
+    });
+    library.chain([farthest]).collect()
 }
 
 /// An item of a stream that begins with `first`; what is behind is random.
