@@ -4,6 +4,7 @@
 //! - Which hardware that calls for: [`plan`], [`cost`], [`area`]; as files, [`configuration`].
 //! - The renderer and the search core, generated, with the hosts around them, on hardware, on the model, or on both: [`splat`], [`search`],
 //!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
+//! - Operators on neighborhoods, over whole point sets: [`process`].
 //! - What others build with: [`package`] and the [`recording`] in its test, [`bus`], [`vectors`].
 //! - Surroundings of whole cores in which anything may happen: [`stimuli`].
 
@@ -19,6 +20,7 @@ pub mod package;
 pub mod page;
 pub mod picture;
 pub mod plan;
+pub mod process;
 pub mod recording;
 pub mod scene;
 pub mod search;

@@ -20,16 +20,22 @@ pub struct NearPoint {
 /// Finds the `count` nearest other points of each point (fewer if there are no more), nearest first.
 #[must_use]
 pub fn nearest(points: &[DVec3], count: usize) -> Vec<Vec<NearPoint>> {
+    nearest_of(points, &(0..points.len()).collect::<Vec<_>>(), count)
+}
+
+/// As [`nearest`], of some of the points, by their indices.
+#[must_use]
+pub fn nearest_of(points: &[DVec3], indices: &[usize], count: usize) -> Vec<Vec<NearPoint>> {
     let coordinates: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let tree = ImmutableKdTree::<f64, 3>::new_from_slice(&coordinates);
     let wanted = std::num::NonZero::<usize>::MIN.saturating_add(count);
-    let neighbors_of = |(index, point): (usize, &[f64; 3])| {
-        let found = tree.nearest_n::<SquaredEuclidean>(point, wanted);
+    let neighbors_of = |&index: &usize| {
+        let found = tree.nearest_n::<SquaredEuclidean>(&coordinates[index], wanted);
         // Among coincident points the tree may leave out the point itself.
         let others = found.iter().filter(|neighbor| neighbor.item != index as u64).take(count);
         others.map(|neighbor| NearPoint { index: neighbor.item as u32, distance: neighbor.distance.sqrt() }).collect()
     };
-    coordinates.par_iter().enumerate().map(neighbors_of).collect()
+    indices.par_iter().map(neighbors_of).collect()
 }
 
 /// The mean distance of each point to its [`SPACING_NEIGHBORS`] nearest neighbors.

@@ -63,6 +63,20 @@ pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
     Ok(normals)
 }
 
+/// Turns normals so that neighbors agree, as [`estimate`] does; points in one place have the normal of the first of them.
+#[must_use]
+pub fn oriented(points: &[DVec3], normals: &[DVec3]) -> Vec<DVec3> {
+    let distinct = Distinct::of(points);
+    let mut found = vec![None; distinct.points.len()];
+    for (place, normal) in distinct.places.iter().zip(normals) {
+        found[*place as usize].get_or_insert(*normal);
+    }
+    let mut normals: Vec<DVec3> = found.into_iter().flatten().collect();
+    let neighbors = neighbors::nearest(&distinct.points, FITTED_NEIGHBORS);
+    orient(&distinct.points, &neighbors, &mut normals);
+    distinct.spread(&normals)
+}
+
 /// How points spread in space: along three axes across each other, by these variances, the least first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {

@@ -70,18 +70,27 @@ impl Order {
     /// The first `limit` places asked for, or all of them, in the coordinates in which the points were given; `seed` shuffles.
     #[must_use]
     pub fn places(self, points: &PointSet, limit: Option<usize>, seed: u64) -> Vec<DVec3> {
-        let mut places = points.given().to_vec();
         match self {
-            Self::Random => fastrand::Rng::with_seed(seed).shuffle(&mut places),
-            Self::File => {}
-            Self::Morton => {
-                let bounds = bounds(&places);
-                places.par_sort_by_cached_key(|point| morton(*point, bounds));
-            }
-            Self::Grid { columns, rows } => return grid(&places, [columns, rows], limit),
+            Self::Grid { columns, rows } => grid(points.given(), [columns, rows], limit),
+            _ => self.indices(points, limit, seed).into_iter().map(|index| points.given()[index]).collect(),
         }
-        places.truncate(limit.unwrap_or(usize::MAX));
-        places
+    }
+
+    /// The first `limit` points asked for, or all of them, by their indices; for a grid the points that it lies around.
+    #[must_use]
+    pub fn indices(self, points: &PointSet, limit: Option<usize>, seed: u64) -> Vec<usize> {
+        let places = points.given();
+        let mut indices: Vec<usize> = (0..places.len()).collect();
+        match self {
+            Self::Random => fastrand::Rng::with_seed(seed).shuffle(&mut indices),
+            Self::File | Self::Grid { .. } => {}
+            Self::Morton => {
+                let bounds = bounds(places);
+                indices.par_sort_by_cached_key(|&index| morton(places[index], bounds));
+            }
+        }
+        indices.truncate(limit.unwrap_or(usize::MAX));
+        indices
     }
 }
 

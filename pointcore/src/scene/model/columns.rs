@@ -3,6 +3,7 @@
 
 use super::{Model, colors, text};
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// Columns of a line that are no longer looked at.
 const COLUMNS_LIMIT: usize = 64;
@@ -70,7 +71,18 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
     if first.len() < 3 {
         return Err(format!("line {line}: three numbers expected, separated by commas, semicolons or blanks"));
     }
-    model(&rows, named.unwrap_or_else(|| layout_of_numbers(&rows)))
+    let attributes = names.as_deref().map(|names| attributes(&rows, names)).unwrap_or_default();
+    Ok(Model { attributes, ..model(&rows, named.unwrap_or_else(|| layout_of_numbers(&rows)))? })
+}
+
+/// The columns of other names that hold a number at least.
+fn attributes(rows: &[(usize, Vec<f64>)], names: &[String]) -> BTreeMap<String, Vec<f64>> {
+    let others = names.iter().enumerate().map(|(column, name)| (column, name.to_lowercase()));
+    let others = others.filter(|(_, name)| !NAMES.iter().flatten().any(|known| known == name));
+    let values =
+        |column: usize| rows.iter().map(move |(_, row)| row.get(column).copied().unwrap_or(f64::NAN)).collect();
+    let columns = others.map(|(column, name)| (name, values(column)));
+    columns.filter(|(_, values): &(_, Vec<f64>)| !values.iter().all(|value| value.is_nan())).collect()
 }
 
 fn model(rows: &[(usize, Vec<f64>)], layout: Layout) -> Result<Model, String> {
@@ -172,6 +184,14 @@ mod tests {
             assert_eq!((model.points, model.normals), (vec![DVec3::new(1.0, 2.0, 3.0)], Some(vec![DVec3::Z])));
             assert_eq!(model.colors, Some(vec![[1.0, 0.0, 0.0]]));
         }
+    }
+
+    #[test]
+    fn columns_of_other_names_are_attributes() {
+        let attributes = read("x,y,z,Area,label,Height\n1,2,3,0.5,wall,7\n4,5,6,,floor,8\n").attributes;
+        assert_eq!(attributes.keys().collect::<Vec<_>>(), ["area"], "a label is no number, and `height` names z");
+        assert_eq!((attributes["area"][0], attributes["area"][1].is_nan()), (0.5, true));
+        assert!(read("1 2 3 0.5\n").attributes.is_empty());
     }
 
     #[test]

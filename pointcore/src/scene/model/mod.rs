@@ -16,6 +16,7 @@ use glam::DVec3;
 use guard::guarded;
 pub use guard::is_guarded;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Coordinates beyond this have squares that leave `f32` in later arithmetic; no scan comes near it.
@@ -34,6 +35,9 @@ pub struct Model {
     pub triangles: Vec<[u32; 3]>,
     /// Where the sensor stood, if the file says so.
     pub sensor: Option<DVec3>,
+    /// Further numbers of each point, by their names in the file, lower case: properties of a PLY file's vertices, named columns of text. NaN
+    /// where a point has none.
+    pub attributes: BTreeMap<String, Vec<f64>>,
     /// Places in the file of the points that were left out since they are no numbers, in their order.
     pub dropped: Vec<u32>,
 }
@@ -178,6 +182,7 @@ impl Model {
             keep(&mut self.points, &is_kept);
             self.normals.iter_mut().for_each(|normals| keep(normals, &is_kept));
             self.colors.iter_mut().for_each(|colors| keep(colors, &is_kept));
+            self.attributes.values_mut().for_each(|values| keep(values, &is_kept));
         }
         // A point without a normal takes its neighbors'.
         for normal in self.normals.iter_mut().flatten().filter(|normal| !is_usable(**normal)) {

@@ -27,6 +27,8 @@ const STRIP_END: i64 = -1;
 #[derive(Default)]
 struct Element {
     scalars: [f64; SCALARS.len()],
+    /// The other numbers in the order of the header.
+    others: Vec<f64>,
     indices: Vec<i64>,
 }
 
@@ -48,8 +50,7 @@ impl PropertyAccess for Element {
             };
             return PropertyAccessResult::Set;
         }
-        let Some(index) = scalar(name) else { return PropertyAccessResult::Ignored };
-        self.scalars[index] = match property {
+        let value = match property {
             Property::Char(value) => value.into(),
             Property::UChar(value) => value.into(),
             Property::Short(value) => value.into(),
@@ -58,8 +59,13 @@ impl PropertyAccess for Element {
             Property::UInt(value) => value.into(),
             Property::Float(value) => value.into(),
             Property::Double(value) => value,
+            _ if scalar(name).is_none() => return PropertyAccessResult::Ignored,
             _ => return PropertyAccessResult::UnsupportedType,
         };
+        match scalar(name) {
+            Some(index) => self.scalars[index] = value,
+            None => self.others.push(value),
+        }
         PropertyAccessResult::Set
     }
 }
@@ -170,8 +176,9 @@ impl<'a> Lines<'a> {
                 }
             } else {
                 let value = number()?;
-                if let Some(index) = scalar(name) {
-                    element.scalars[index] = value;
+                match scalar(name) {
+                    Some(index) => element.scalars[index] = value,
+                    None => element.others.push(value),
                 }
             }
         }
@@ -266,6 +273,12 @@ fn add_vertices(model: &mut Model, definition: &ElementDef, elements: &[Element]
     model.points = elements.iter().map(|element| vector(element, 0)).collect();
     if has(&SCALARS[NORMAL..COLOR]) {
         model.normals = Some(elements.iter().map(|element| vector(element, NORMAL)).collect());
+    }
+    let is_other = |name: &&String| scalar(name).is_none();
+    let numbers =
+        definition.properties.iter().filter(|(_, property)| matches!(property.data_type, PropertyType::Scalar(_)));
+    for (place, name) in numbers.map(|(name, _)| name).filter(is_other).enumerate() {
+        model.attributes.insert(name.to_lowercase(), elements.iter().map(|element| element.others[place]).collect());
     }
     let kind = |name: &str| {
         let prefixed = || definition.properties.get(&format!("{COLOR_PREFIX}{name}"));

@@ -22,7 +22,9 @@ impl Model {
         let points = indices.iter().map(|&index| self.points[index]).collect();
         let normals = self.normals.map(|normals| indices.iter().map(|&index| normals[index]).collect());
         let colors = self.colors.map(|colors| indices.iter().map(|&index| colors[index]).collect());
-        Self { points, normals, colors, ..self }
+        let thin = |values: &Vec<f64>| indices.iter().map(|&index| values[index]).collect();
+        let attributes = self.attributes.iter().map(|(name, values)| (name.clone(), thin(values))).collect();
+        Self { points, normals, colors, attributes, ..self }
     }
 
     fn spread(self, count: usize) -> Self {

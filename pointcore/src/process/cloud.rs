@@ -1,0 +1,134 @@
+//! Points with their attributes.
+
+use super::ProcessError;
+use crate::scene::{InvalidPoints, Model, NormalSource};
+use crate::search::{PointSet, PointSource};
+use glam::DVec3;
+use pointcore_contract::Format;
+use std::collections::BTreeMap;
+
+/// Points in a program's format, with what else is known of each.
+#[derive(Clone, Debug)]
+pub struct Cloud {
+    /// The points.
+    pub(super) set: PointSet,
+    /// A normal each, of length 1.
+    pub(super) normals: Option<Vec<DVec3>>,
+    /// Where the normals come from, in words.
+    pub(super) normals_from: String,
+    /// Numbers of each by their names, lower case.
+    pub(super) columns: BTreeMap<String, Vec<f64>>,
+    /// Where the sensor stood.
+    pub(super) sensor: Option<DVec3>,
+    /// What errors and reports call it.
+    pub(super) name: String,
+    /// The place of each point in its file.
+    pub(super) places: Vec<u32>,
+}
+
+impl Cloud {
+    /// Loads or makes the points of a source; of a file's normals `normals` says whether they count.
+    ///
+    /// # Errors
+    /// The file cannot be used, or does not have the normals that it is asked for.
+    pub fn load(
+        format: Format,
+        source: &PointSource,
+        invalid: InvalidPoints,
+        normals: NormalSource,
+    ) -> Result<Self, ProcessError> {
+        let PointSource::File(path) = source else {
+            return Self::of(format, source.to_string(), source.points(invalid)?, BTreeMap::new());
+        };
+        let model = Model::load_with(path, invalid)?;
+        let wrong = |problem: String| crate::scene::SceneError::Model { path: path.clone(), problem };
+        let given = model.given_normals(normals).map_err(wrong)?;
+        let unit = |(given, origin): (Vec<DVec3>, crate::scene::NormalOrigin)| {
+            Ok::<_, String>((crate::scene::normals::normalize(&model.points, &given)?, origin.to_string()))
+        };
+        let normals = given.map(unit).transpose().map_err(wrong)?;
+        let left_out = model.dropped.clone();
+        let mut cloud = Self::of(format, path.display().to_string(), model.points, model.attributes)?;
+        if let Some((normals, origin)) = normals {
+            (cloud.normals, cloud.normals_from) = (Some(normals), origin);
+        }
+        cloud.sensor = model.sensor;
+        let mut left_out = left_out.into_iter().peekable();
+        let is_kept = |place: &u32| left_out.next_if_eq(place).is_none();
+        cloud.places = (0..).filter(is_kept).take(cloud.len()).collect();
+        Ok(cloud)
+    }
+
+    /// Points in memory, with numbers of each by name: `nx`, `ny` and `nz` are normals.
+    ///
+    /// # Errors
+    /// There is no point, one that is not finite in the format, or a column of another length.
+    pub fn of(
+        format: Format,
+        name: String,
+        points: Vec<DVec3>,
+        mut columns: BTreeMap<String, Vec<f64>>,
+    ) -> Result<Self, ProcessError> {
+        let count = points.len();
+        if let Some((column, values)) = columns.iter().find(|(_, values)| values.len() != count) {
+            let problem = format!("column `{column}` has {} numbers: expected {count}, one a point", values.len());
+            return Err(ProcessError::Value { what: "column", program: name, name: column.clone(), problem });
+        }
+        let normals = match ["nx", "ny", "nz"].map(|axis| columns.remove(axis)) {
+            [Some(x), Some(y), Some(z)] => Some((0..count).map(|i| DVec3::new(x[i], y[i], z[i])).collect()),
+            _ => None,
+        };
+        Ok(Self {
+            set: PointSet::recentered(format, points)?,
+            normals,
+            normals_from: "nx, ny, nz of the points".to_owned(),
+            columns,
+            sensor: None,
+            name,
+            places: (0..count as u32).collect(),
+        })
+    }
+
+    /// Number of points, one at least.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.set.points().len()
+    }
+
+    /// Whether there is no point, which there never is.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.set.points().is_empty()
+    }
+
+    /// The points.
+    #[must_use]
+    pub const fn points(&self) -> &PointSet {
+        &self.set
+    }
+
+    /// What errors and reports call it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Points of the file that were left out.
+    #[must_use]
+    pub fn left_out(&self) -> usize {
+        self.places.last().map_or(0, |last| *last as usize + 1 - self.len())
+    }
+
+    /// The same points elsewhere.
+    ///
+    /// # Errors
+    /// A place that is not finite in the format.
+    pub fn moved(&self, points: Vec<DVec3>) -> Result<Self, ProcessError> {
+        Ok(Self { set: PointSet::recentered(self.set.format(), points)?, ..self.clone() })
+    }
+
+    /// Gives numbers of each point a name.
+    pub fn insert(&mut self, name: &str, values: Vec<f64>) {
+        self.columns.insert(name.to_owned(), values);
+    }
+}

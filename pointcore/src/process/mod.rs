@@ -1,0 +1,31 @@
+//! Operators on neighborhoods over point sets (thesis 6.5): a program, its settings and fields by name, and what leaves
+//! with each query.
+//!
+//! [`Operation`] is one program or several after another, [`Cloud`] points with their attributes, [`Process`] the two
+//! with what is asked of them. [`process`] carries it out on an [`Engine`]. Today's is the golden interpreter; a core in
+//! lockstep takes its place without a change here.
+
+mod attributes;
+mod cloud;
+mod cost;
+mod engine;
+mod error;
+mod files;
+mod neighborhoods;
+mod operation;
+mod outcome;
+mod run;
+mod scale;
+mod settings;
+mod words;
+
+pub use cloud::Cloud;
+pub use cost::{BlockCost, Cost, Operators, THESIS};
+pub use engine::{Answer, Engine, Interpreted, Job};
+pub use error::ProcessError;
+pub use files::{csv, npy, ply};
+pub use neighborhoods::{NEIGHBORS_LIMIT, Neighborhoods};
+pub use operation::Operation;
+pub use outcome::{Column, Numbers, Processed, Summary};
+pub use run::{ITERATIONS_LIMIT, Process, Queries, process};
+pub use scale::Scale;

@@ -1,0 +1,129 @@
+//! What is done to neighborhoods: a program, or several after another.
+
+use super::ProcessError;
+use pointcore_contract::Format;
+use pointcore_contract::process::config::Config;
+use pointcore_contract::process::{Field, Program, library};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Names of operations and the library's programs that each runs, one after the other.
+const OPERATIONS: [(&str, &[&str]); 7] = [
+    ("normals", &["normals"]),
+    ("covariance", &["covariance"]),
+    ("mls", &["mls"]),
+    ("apss", &["apss"]),
+    ("smooth", &["smooth"]),
+    ("resample", &["resample"]),
+    ("sph", &["sph_density", "sph_forces"]),
+];
+
+/// Programs that run one after the other; outputs of one are attributes of the points for the next.
+#[derive(Clone, Debug)]
+pub struct Operation {
+    name: String,
+    stages: Vec<Arc<Program>>,
+}
+
+impl Operation {
+    /// The names of those that come with the project.
+    #[must_use]
+    pub fn names() -> Vec<&'static str> {
+        OPERATIONS.iter().map(|(name, _)| *name).collect()
+    }
+
+    /// The one of that name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn named(name: &str) -> Result<Self, ProcessError> {
+        let found = OPERATIONS.iter().find(|(known, _)| *known == name);
+        let (name, stages) =
+            found.ok_or_else(|| ProcessError::Operation { name: name.to_owned(), known: Self::names() })?;
+        let stages = stages.iter().map(|program| Arc::new(library::program(program))).collect();
+        Ok(Self { name: (*name).to_owned(), stages })
+    }
+
+    /// A program of a file.
+    ///
+    /// # Errors
+    /// The file cannot be read, is no program, or one that the hardware has no room for.
+    pub fn load(path: &Path) -> Result<Self, ProcessError> {
+        let text =
+            std::fs::read_to_string(path).map_err(|source| ProcessError::Read { path: path.to_owned(), source })?;
+        Self::parse(&path.display().to_string(), &text)
+    }
+
+    /// A program of a text, which errors call `file`.
+    ///
+    /// # Errors
+    /// It is no program, or one that the hardware has no room for.
+    pub fn parse(file: &str, text: &str) -> Result<Self, ProcessError> {
+        let program = Arc::new(Program::parse(file, text)?);
+        let config = Config {
+            program: Arc::clone(&program),
+            format: Format::F32,
+            index_bits: 24,
+            neighbors: super::NEIGHBORS_LIMIT,
+            threads: 128,
+            rate: 1,
+            line_points: 4,
+            cache_lines: 256,
+        };
+        config.validate()?;
+        Ok(Self { name: program.name().to_owned(), stages: vec![program] })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its programs in their order, one at least.
+    #[must_use]
+    pub fn stages(&self) -> &[Arc<Program>] {
+        &self.stages
+    }
+
+    /// Whether each query carries its offsets in a pattern.
+    #[must_use]
+    pub fn has_pattern(&self) -> bool {
+        self.stages.iter().any(|program| ["u", "v"].iter().all(|name| program.query.find(name).is_some()))
+    }
+
+    /// Whether it says where its queries lie in the end.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.stages.last().is_some_and(|program| program.outputs.find("position").is_some())
+    }
+
+    /// The settings of all programs, each name once.
+    #[must_use]
+    pub fn settings(&self) -> Vec<Field> {
+        distinct(self.stages.iter().flat_map(|program| program.settings.fields()))
+    }
+
+    /// The fields of queries and neighbors of all programs besides positions, each name once.
+    #[must_use]
+    pub fn fields(&self) -> Vec<Field> {
+        let fields =
+            self.stages.iter().flat_map(|program| program.query.fields().iter().chain(program.neighbor.fields()));
+        distinct(fields.filter(|field| field.name != "position"))
+    }
+}
+
+fn distinct<'a>(fields: impl Iterator<Item = &'a Field>) -> Vec<Field> {
+    let mut all: Vec<Field> = vec![];
+    for field in fields {
+        if !all.iter().any(|known| known.name == field.name) {
+            all.push(field.clone());
+        }
+    }
+    all
+}
+
+/// A field as messages show it: `tolerance (float)`.
+pub(super) fn shown(fields: &[Field]) -> Vec<String> {
+    fields.iter().map(|field| format!("{} ({})", field.name, field.ty)).collect()
+}
