@@ -1,11 +1,12 @@
 //! The f64 reference renderer: the algorithm of the hardware (thesis 5.4) without its number formats, and the affine
-//! forward mapping of ch. 3 beside it.
+//! forward mapping of ch. 3 beside it; [`neighbors`] and [`operators`] in f64.
 //!
 //! Splats reach every pixel in input order, which makes a frame a function of its input alone; rows are grouped into
 //! bands that run in parallel.
 
 mod footprint;
 pub mod neighbors;
+pub mod operators;
 mod projection;
 mod reconstruction;
 pub mod sampling;

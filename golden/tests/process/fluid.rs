@@ -1,8 +1,9 @@
 //! Densities and forces of a fluid's particles, against f64 and against what is known of a lattice.
 
 use super::surfaces::{Place, Shape, places};
-use super::{FORMATS, Format, Operator, Point, random, rounded, unit};
+use super::{Encoded as _, FORMATS, Format, Operator, Point, random, rounded, unit};
 use glam::DVec3;
+use pointcore_golden::reference::operators::fluid as reference;
 use std::f64::consts::PI;
 
 const STIFFNESS: f64 = 3.0;
@@ -28,17 +29,8 @@ fn densities_are_those_of_f64() {
             for _ in 0..20 {
                 let (query, mut cloud) = Shape::Noise.neighborhood(&mut random, format, place);
                 cloud.iter_mut().enumerate().for_each(|(i, point)| point.attributes = vec![[0.5, 1.0, 1.5][i % 3]]);
-                let (mut mass, mut error) = (0.0, 0.0);
-                for point in &cloud {
-                    let ratio = point.position.distance_squared(query.position) * operator.setting(0);
-                    let f = (1.0 - ratio).max(0.0);
-                    mass += point.attributes[0] * f.powi(3);
-                    // f is off by 8u: f³ by 3 f² · 8u, and by three roundings.
-                    error += point.attributes[0] * u * (24.0 * f.powi(2) + 3.0 * f.powi(3));
-                }
-                let density = mass * operator.setting(1);
-                let sum = (cloud.len() / 8 + 5) as f64;
-                let bound = error * operator.setting(1) + sum * u * density;
+                let settings = [operator.setting(0), operator.setting(1)];
+                let (density, bound) = reference::density(query.position, &cloud, settings, u);
                 let outputs = operator.run(&query, &cloud, 1);
                 let off = (outputs.number("density") - density).abs();
                 assert!(off <= bound, "{place:?} in {format}: {density} is off by {off}, not {bound}");
@@ -72,40 +64,6 @@ fn a_lattice_has_its_density() {
     assert!((density / REST_DENSITY - 1.0).abs() < 0.02, "{density}");
 }
 
-/// Query: velocity, density, pressure. Neighbor: velocity, density, pressure, mass.
-fn forces(query: &Point, cloud: &[Point], operator: &Operator) -> (DVec3, f64) {
-    let [radius, normalization, viscosity] = [0, 1, 2].map(|index| operator.setting(index));
-    let u = unit(operator.format);
-    let roundings = (cloud.len() / 8 + 4) as f64 + 16.0;
-    let (mut force, mut error) = (DVec3::ZERO, 0.0);
-    let (density, pressure) = (query.attributes[3], query.attributes[4]);
-    for point in cloud {
-        let to_neighbor = point.position - query.position;
-        let distance = to_neighbor.length();
-        let reach = (radius - distance).max(0.0);
-        let volume = point.attributes[5] / point.attributes[3];
-        let mean_pressure = 0.5 * (pressure + point.attributes[4]);
-        let drag = DVec3::from_slice(&point.attributes) - DVec3::from_slice(&query.attributes);
-        let push = volume * reach * mean_pressure;
-        let viscous = viscosity * volume * drag;
-        if distance > 0.0 {
-            force -= push * reach * to_neighbor / distance;
-        }
-        force += viscous * reach;
-        // Of the reach, six roundings of the distance and one of the difference, twice in its square; of pressures that
-        // cancel, one of each; of all factors, their own.
-        let of_reach = u * (7.0 * distance + radius);
-        let of_pressure = u * volume * reach * reach * (pressure.abs() + point.attributes[4].abs());
-        error += 2.0 * push.abs() * of_reach + of_pressure + viscous.length() * of_reach;
-        let velocities = DVec3::from_slice(&point.attributes).length() + DVec3::from_slice(&query.attributes).length();
-        error += u * roundings * (push.abs() * reach + viscosity * volume * velocities * reach);
-    }
-    let gravity = DVec3::from_array([3, 4, 5].map(|index| operator.setting(index)));
-    let factor = normalization / density;
-    let acceleration = force * factor + gravity;
-    (acceleration, error * factor.abs() * 2.0 + 4.0 * u * (force.length() * factor + gravity.length()))
-}
-
 #[test]
 fn forces_are_those_of_f64() {
     let mut random = random();
@@ -123,7 +81,8 @@ fn forces_are_those_of_f64() {
                 let mut cloud: Vec<Point> = cloud.iter().map(|point| particle(point.position, &[1.5])).collect();
                 // Among its neighbors is the query itself.
                 cloud.push(particle(query.position, &[1.5]));
-                let (acceleration, bound) = forces(&query, &cloud, &operator);
+                let settings = std::array::from_fn(|index| operator.setting(index));
+                let (acceleration, bound) = reference::forces(&query, &cloud, &settings, unit(format));
                 let found = operator.run(&query, &cloud, 1).vector("acceleration");
                 let off = found.distance(acceleration);
                 assert!(off <= bound, "{place:?} in {format}: {found} is off by {off}, not {bound}");

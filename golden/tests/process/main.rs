@@ -1,8 +1,8 @@
-//! The programs of the library in the interpreter against operators in f64, written from the formulas: on surfaces, a
+//! The programs of the library in the interpreter against operators in f64: on surfaces, a
 //! line, noise, without weight, far from the origin, and with attributes that are no numbers.
 //!
 //! The bounds are derived step by step from the unit of rounding `u`, from the sums of magnitudes that the program adds
-//! up ([`weights::Sums`]) and from what the result is divided by; each test says how. An iteration is compared with one
+//! up ([`Sums`](pointcore_golden::reference::operators::weights::Sums)) and from what the result is divided by; each test says how. An iteration is compared with one
 //! in f64 from the same position, so that bounds do not pile up.
 
 mod covariance;
@@ -12,7 +12,6 @@ mod projection;
 mod smooth;
 mod sphere;
 mod surfaces;
-mod weights;
 
 use fastrand::Rng;
 use glam::DVec3;
@@ -20,6 +19,7 @@ use pointcore_contract::Format;
 use pointcore_contract::process::{Program, library};
 use pointcore_golden::number::Number;
 use pointcore_golden::process::{Interpreter, Neighborhood, Outcome};
+use pointcore_golden::reference::operators::{Point, unit};
 
 /// Formats that programs are tried in.
 const FORMATS: [Format; 4] = [Format::F32, Format::F32.flushed(), Format::F24, Format::F24.flushed()];
@@ -28,11 +28,6 @@ fn random() -> Rng {
     let seed = std::env::var("POINTCORE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     println!("reproduce with POINTCORE_SEED={seed} cargo test -p pointcore-golden --test process");
     Rng::with_seed(seed)
-}
-
-/// Half the distance from 1 to the next number.
-fn unit(format: Format) -> f64 {
-    (-f64::from(format.mantissa) - 1.0).exp2()
 }
 
 fn encode(format: Format, value: f64) -> u32 {
@@ -48,29 +43,19 @@ fn rounded(format: Format, vector: DVec3) -> DVec3 {
     DVec3::from_array(vector.to_array().map(|value| decode(format, encode(format, value))))
 }
 
-/// A query or a neighbor: its position, and the words behind it.
-#[derive(Clone, Debug)]
-struct Point {
-    position: DVec3,
-    attributes: Vec<f64>,
+/// A point in a format.
+trait Encoded {
+    fn words(&self, format: Format) -> Vec<u32>;
+
+    /// As the format has it.
+    fn rounded(&self, format: Format) -> Self;
 }
 
-impl Point {
-    /// One whose attributes are a normal.
-    fn with_normal(position: DVec3, normal: DVec3) -> Self {
-        Self { position, attributes: normal.to_array().to_vec() }
-    }
-
-    /// The first three attributes.
-    fn normal(&self) -> DVec3 {
-        DVec3::from_slice(&self.attributes)
-    }
-
+impl Encoded for Point {
     fn words(&self, format: Format) -> Vec<u32> {
         self.position.to_array().iter().chain(&self.attributes).map(|&value| encode(format, value)).collect()
     }
 
-    /// As the format has it.
     fn rounded(&self, format: Format) -> Self {
         let attributes = self.attributes.iter().map(|&value| decode(format, encode(format, value))).collect();
         Self { position: rounded(format, self.position), attributes }

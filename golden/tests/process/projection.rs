@@ -1,29 +1,13 @@
 //! Projection onto planes, for surfaces and for patterns on them, iteration by iteration against f64.
 
 use super::surfaces::{SURFACES, Shape, far, places};
-use super::weights::{Sums, theta};
 use super::{FORMATS, Format, Operator, Point, decode, encode, random, unit};
 use glam::DVec3;
+use pointcore_golden::reference::operators::plane::{normal_error, plane};
+use pointcore_golden::reference::operators::weights::Sums;
 
 /// Iterations that are compared.
 const ITERATIONS: u32 = 4;
-
-/// The plane of equations 6.3 and 6.4 with the errata: the weighted mean, and the weighted normal, of length 1.
-fn plane(query: DVec3, cloud: &[Point], inverse_radius2: f64) -> (DVec3, DVec3) {
-    let weight = |point: &Point| theta(point.position.distance_squared(query), inverse_radius2);
-    let total: f64 = cloud.iter().map(weight).sum();
-    let mean = cloud.iter().map(|point| weight(point) * point.position).sum::<DVec3>() / total;
-    let normal = cloud.iter().map(|point| weight(point) * point.normal()).sum::<DVec3>();
-    (mean, normal.normalize())
-}
-
-/// By what the normal may be off: the sum in relation to its length, three times its components; and its normalization.
-fn normal_error(query: DVec3, cloud: &[Point], inverse_radius2: f64) -> f64 {
-    let weight = |point: &Point| theta(point.position.distance_squared(query), inverse_radius2);
-    let length = cloud.iter().map(|point| weight(point) * point.normal()).sum::<DVec3>().length();
-    let sums = Sums::new(query, cloud, inverse_radius2);
-    3.0 * sums.error(0) / length + 5.0
-}
 
 #[test]
 fn every_iteration_is_that_of_f64() {

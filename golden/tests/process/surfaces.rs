@@ -1,6 +1,6 @@
 //! Points on and off surfaces, rounded to a format.
 
-use super::Point;
+use super::{Encoded as _, Point};
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore_contract::Format;

@@ -32,7 +32,7 @@ fn columns<'a>(processed: &'a Processed, extra: &'a [(&'static str, Numbers)]) -
 /// What every file has besides the outputs: places, iterations, whether they ended the query.
 fn extra(processed: &Processed) -> Vec<(&'static str, Numbers)> {
     let place = |axis: usize| Numbers::Double(processed.places.iter().map(|place| place[axis]).collect());
-    let answers = &processed.answers;
+    let answers = processed.answers();
     let count = |of: fn(&super::Answer) -> u32| Numbers::Int(answers.iter().map(|answer| of(answer) as i32).collect());
     vec![
         ("x", place(0)),

@@ -6,6 +6,7 @@
 //! lockstep takes its place without a change here.
 
 mod attributes;
+pub mod check;
 mod cloud;
 mod cost;
 mod engine;
@@ -14,6 +15,7 @@ mod files;
 mod neighborhoods;
 mod operation;
 mod outcome;
+mod report;
 mod run;
 mod scale;
 mod settings;
@@ -27,5 +29,7 @@ pub use files::{csv, npy, ply};
 pub use neighborhoods::{NEIGHBORS_LIMIT, Neighborhoods};
 pub use operation::Operation;
 pub use outcome::{Column, Numbers, Processed, Summary};
-pub use run::{ITERATIONS_LIMIT, Process, Queries, process};
+pub use report::ProcessReport;
+pub use run::{ITERATIONS_LIMIT, Process, Queries, Stage, process};
 pub use scale::Scale;
+pub use settings::Setting;

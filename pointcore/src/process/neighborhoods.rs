@@ -19,6 +19,7 @@ const TIED: usize = 8;
 
 /// A search among points. Distances are those of the search core, bit for bit; of points at one distance the first in
 /// the set comes first.
+#[derive(Clone, Debug)]
 pub struct Neighborhoods {
     format: Format,
     encoded: Vec<Point>,

@@ -36,10 +36,8 @@ pub struct Processed {
     pub columns: Vec<Column>,
     /// Where the queries lie in the end, if the operation says so, else where they began.
     pub places: Vec<DVec3>,
-    /// The words of each query, as the last program took them.
-    pub words: Vec<Vec<u32>>,
-    /// What left, in the last program's words.
-    pub answers: Vec<super::Answer>,
+    /// The programs of the last pass as they were run, one at least.
+    pub stages: Vec<super::Stage>,
     /// What happened, in numbers.
     pub summary: Summary,
 }
@@ -88,6 +86,12 @@ impl Summary {
 }
 
 impl Processed {
+    /// What left, in the last program's words.
+    #[must_use]
+    pub fn answers(&self) -> &[super::Answer] {
+        self.stages.last().map_or(&[], |stage| &stage.answers)
+    }
+
     /// The column of that name.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&Column> {

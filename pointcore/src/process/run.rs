@@ -15,6 +15,7 @@ use glam::DVec3;
 use pointcore_contract::Format;
 use pointcore_contract::process::{Field, Program, Scalar, Type};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The most iterations of a query that a core counts.
 pub const ITERATIONS_LIMIT: u32 = (1 << pointcore_contract::process::config::ITERATION_BITS) - 1;
@@ -108,21 +109,25 @@ impl Process<'_> {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<Processed, ProcessError> {
         let scale = Scale::of(&cloud.set, self.k, self.radius);
-        let neighborhoods = Neighborhoods::new(&cloud.set, self.k, self.radius)?;
+        let neighborhoods = Arc::new(Neighborhoods::new(&cloud.set, self.k, self.radius)?);
         let mut summary = self.summary(cloud, engine);
         let mut cloud = cloud.clone();
         let pass = Pass { process: self, scale, neighborhoods: &neighborhoods, engine, progress };
         let (last, before) = self.operation.stages().split_last().expect("an operation has a program");
+        let mut stages = vec![];
         for program in before {
             let all = Queries::Points((0..cloud.len()).collect());
             let processed = pass.stage(program, &mut cloud, &all, &mut summary)?;
+            stages.extend(processed.stages);
             for column in processed.columns {
                 for (part, numbers) in column.parts.iter().zip(column.numbers) {
                     cloud.insert(part, (0..numbers.len()).map(|index| numbers.number(index)).collect());
                 }
             }
         }
-        pass.stage(last, &mut cloud, queries, &mut summary)
+        let mut processed = pass.stage(last, &mut cloud, queries, &mut summary)?;
+        processed.stages.splice(0..0, stages);
+        Ok(processed)
     }
 
     fn summary(&self, cloud: &Cloud, engine: &dyn Engine) -> Summary {
@@ -145,11 +150,30 @@ impl Process<'_> {
     }
 }
 
+/// A program as it was run: what it read, and what left.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// The program.
+    pub program: Arc<Program>,
+    /// The format of its floats.
+    pub format: Format,
+    /// A word for each of the settings'.
+    pub settings: Vec<u32>,
+    /// The words of each query.
+    pub queries: Vec<Vec<u32>>,
+    /// The words of each point as a neighbor.
+    pub points: Vec<Vec<u32>>,
+    /// The neighbors of a position.
+    pub neighborhoods: Arc<Neighborhoods>,
+    /// What left.
+    pub answers: Vec<Answer>,
+}
+
 /// What the stages of a pass share.
 struct Pass<'a> {
     process: &'a Process<'a>,
     scale: Option<Scale>,
-    neighborhoods: &'a Neighborhoods,
+    neighborhoods: &'a Arc<Neighborhoods>,
     engine: &'a dyn Engine,
     progress: &'a (dyn Fn(u64) + Sync),
 }
@@ -163,7 +187,7 @@ struct Asked {
 impl Pass<'_> {
     fn stage(
         &self,
-        program: &Program,
+        program: &Arc<Program>,
         cloud: &mut Cloud,
         queries: &Queries,
         summary: &mut Summary,
@@ -186,7 +210,11 @@ impl Pass<'_> {
             neighborhoods: self.neighborhoods,
         };
         let answers = self.engine.run(&job, self.progress)?;
-        Ok(named(program, cloud, asked, answers, summary.clone()))
+        let Asked { places, words: queries } = asked;
+        let neighborhoods = Arc::clone(self.neighborhoods);
+        let format = cloud.set.format();
+        let stage = Stage { program: Arc::clone(program), format, settings, queries, points, neighborhoods, answers };
+        Ok(named(cloud, places, stage, summary.clone()))
     }
 
     /// Estimates normals that a program reads and the points do not have.
@@ -325,14 +353,14 @@ fn position(cloud: &Cloud, place: DVec3) -> Result<[u32; 3], ProcessError> {
 }
 
 /// What left, by name, places in the coordinates of the points.
-fn named(program: &Program, cloud: &Cloud, asked: Asked, answers: Vec<Answer>, mut summary: Summary) -> Processed {
-    let format = cloud.set.format();
+fn named(cloud: &Cloud, places: Vec<DVec3>, stage: Stage, mut summary: Summary) -> Processed {
+    let Stage { program, format, answers, .. } = &stage;
     let mut columns = vec![];
     for field in program.outputs.fields() {
         let first = program.outputs.find(&field.name).expect("a layout finds its fields").first;
         let part = |axis: usize| {
             let origin = if is_place(&field.name) { cloud.set.origin()[axis] } else { 0.0 };
-            numbers(format, field, origin, answers.iter().map(|answer| answer.outputs[first + axis]))
+            numbers(*format, field, origin, answers.iter().map(|answer| answer.outputs[first + axis]))
         };
         let parts = match field.ty {
             Type::Float3 => ["x", "y", "z"].map(|axis| format!("{}_{axis}", field.name)).to_vec(),
@@ -356,9 +384,9 @@ fn named(program: &Program, cloud: &Cloud, asked: Asked, answers: Vec<Answer>, m
             let place = |index: usize| DVec3::from_array([0, 1, 2].map(|axis| numbers[axis].number(index)));
             (0..answers.len()).map(place).collect()
         }
-        _ => asked.places,
+        _ => places,
     };
-    Processed { columns, places, words: asked.words, answers, summary }
+    Processed { columns, places, stages: vec![stage], summary }
 }
 
 fn numbers(format: Format, field: &Field, origin: f64, words: impl Iterator<Item = u32>) -> Numbers {

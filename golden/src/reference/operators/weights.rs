@@ -3,11 +3,14 @@
 use super::Point;
 use glam::DVec3;
 
-/// Weight θ = f⁴ of a neighbor, `f = max(0, 1 − d²/h²)`.
+/// `f = max(0, 1 − d²/h²)` of a neighbor, from which its weight is made.
+#[must_use]
 pub fn falloff(distance2: f64, inverse_radius2: f64) -> f64 {
     (1.0 - distance2 * inverse_radius2).max(0.0)
 }
 
+/// θ = f⁴.
+#[must_use]
 pub fn theta(distance2: f64, inverse_radius2: f64) -> f64 {
     falloff(distance2, inverse_radius2).powi(4)
 }
@@ -34,6 +37,8 @@ pub struct Sums {
 }
 
 impl Sums {
+    /// Those around a query.
+    #[must_use]
     pub fn new(query: DVec3, cloud: &[Point], inverse_radius2: f64) -> Self {
         let mut sums = Self { weight: 0.0, first: 0.0, second: 0.0, cubes: [0.0; 3], roundings: 0.0 };
         for point in cloud {
@@ -49,6 +54,7 @@ impl Sums {
     }
 
     /// By what Σ θ, Σ θ d or Σ θ d² may be off, in units of rounding; the power is that of d.
+    #[must_use]
     pub fn error(&self, power: usize) -> f64 {
         let magnitude = [self.weight, self.first, self.second][power];
         self.roundings * magnitude + THETA * self.cubes[power]
@@ -56,6 +62,7 @@ impl Sums {
 
     /// By what the weighted mean of d may be off, in units of rounding: the sum's error and the weight's, and two
     /// roundings.
+    #[must_use]
     pub fn mean_error(&self) -> f64 {
         let mean = self.first / self.weight;
         (self.error(1) + mean * self.error(0)) / self.weight + 2.0 * mean

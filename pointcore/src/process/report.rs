@@ -1,0 +1,129 @@
+//! What an operator did, in a form for people and machines.
+
+use super::cost::{Cost, Operators};
+use super::outcome::Summary;
+use crate::process::check::Comparison;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// The report on a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct ProcessReport {
+    /// What happened.
+    #[serde(flatten)]
+    pub summary: Summary,
+    /// Neighbors of a query at most.
+    pub k: u32,
+    /// Only neighbors nearer than this counted.
+    pub radius: Option<f64>,
+    /// Iterations that a query may have.
+    pub iterations_limit: u32,
+    /// The format of floats.
+    pub format: String,
+    /// What the programs take as hardware.
+    pub cost: Vec<Cost>,
+    /// Look-up tables of the blocks' pipelines, estimated.
+    pub lut4: Option<f64>,
+    /// Outputs beside those of f64, if they were compared.
+    pub compared: Option<Vec<Comparison>>,
+}
+
+impl ProcessReport {
+    /// The report for people.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let mut text = format!("# {} of {}\n\n", self.summary.operation, self.summary.points);
+        self.write_run(&mut text);
+        self.write_bindings(&mut text);
+        self.write_compared(&mut text);
+        self.write_cost(&mut text);
+        text
+    }
+
+    fn write_run(&self, text: &mut String) {
+        let summary = &self.summary;
+        let each = |total: u64| total as f64 / summary.queries.max(1) as f64;
+        let radius = self.radius.map_or(String::new(), |radius| format!(" within {radius}"));
+        let passes =
+            if summary.passes > 1 { format!(", in the last of {} passes", summary.passes) } else { String::new() };
+        _ = writeln!(
+            text,
+            "{} queries among {} points{passes}, by the {}, floats in {}.\n",
+            summary.queries, summary.point_count, summary.engine, self.format
+        );
+        _ = writeln!(text, "| | |\n|---|---|");
+        let mut row = |name: &str, value: String| _ = writeln!(text, "| {name} | {value} |");
+        row("neighbors of a query", format!("{:.2} of up to {}{radius}", each(summary.neighbors), self.k));
+        row("queries without a neighbor", summary.lonely.to_string());
+        row(
+            "iterations of a query",
+            format!("{:.2}, at most {} of {}", each(summary.iterations), summary.iterations_max, self.iterations_limit),
+        );
+        row("capped: not done by then", summary.capped.to_string());
+        row("not valid", summary.invalid.map_or("the program does not say".to_owned(), |count| count.to_string()));
+    }
+
+    fn write_bindings(&self, text: &mut String) {
+        _ = writeln!(text, "\n## Settings and fields\n\n| | |\n|---|---|");
+        for (program, settings) in &self.summary.settings {
+            for setting in settings {
+                let values: Vec<String> = setting.values.iter().map(|value| shortened(*value)).collect();
+                let from = if setting.given { "given" } else { "derived" };
+                _ = writeln!(text, "| `{program}`: `{}` | {} ({from}) |", setting.name, values.join(", "));
+            }
+        }
+        for (field, from) in &self.summary.attributes {
+            _ = writeln!(text, "| `{field}` | {from} |");
+        }
+    }
+
+    fn write_compared(&self, text: &mut String) {
+        let Some(compared) = &self.compared else { return };
+        _ = writeln!(text, "\n## Beside f64\n\nThe last iteration of each query, from where it began.\n");
+        _ = writeln!(
+            text,
+            "| output | compared | largest error | its bound | largest share of a bound |\n|---|---|---|---|---|"
+        );
+        for Comparison { output, compared, error, bound, share, .. } in compared {
+            let [error, bound] = [error, bound].map(|number| shortened(*number));
+            _ = writeln!(text, "| `{output}` | {compared} | {error} | {bound} | {share:.3} |");
+        }
+    }
+
+    fn write_cost(&self, text: &mut String) {
+        _ = writeln!(text, "\n## Hardware\n\nPipelines of the blocks, and the adders of the sums.\n");
+        _ = writeln!(
+            text,
+            "| | add | mul | div | sqrt | others | latency | a token every | register bits |\n|---|---|---|---|---|---|---|---|---|"
+        );
+        let operators = |operators: &Operators| {
+            let Operators { add, mul, div, sqrt, other } = operators;
+            format!("{add} | {mul} | {div} | {sqrt} | {other}")
+        };
+        for cost in &self.cost {
+            for block in &cost.blocks {
+                let (name, used) = (block.block, operators(&block.operators));
+                _ = writeln!(
+                    text,
+                    "| `{}` .{name} | {used} | {} | {} | {} |",
+                    cost.program, block.latency, block.interval, block.register_bits
+                );
+            }
+            let registers: u64 = cost.blocks.iter().map(|block| block.register_bits).sum();
+            _ = writeln!(text, "| `{}`, all | {} | | | {registers} |", cost.program, operators(&cost.operators));
+            if let Some(thesis) = cost.thesis() {
+                let Operators { add, mul, div, sqrt, .. } = thesis;
+                _ = writeln!(text, "| thesis table 6.2 | {add} | {mul} | {div} | {sqrt} | | | | |");
+            }
+        }
+        if let Some(lut4) = self.lut4 {
+            _ = writeln!(text, "\nAbout {lut4:.0} look-up tables of four inputs, by the record of areas.");
+        }
+    }
+}
+
+/// A number in few digits.
+fn shortened(number: f64) -> String {
+    let magnitude = number.abs();
+    if magnitude == 0.0 || (1e-3..1e5).contains(&magnitude) { format!("{number:.5}") } else { format!("{number:.4e}") }
+}
