@@ -2,6 +2,7 @@
 //! or fails.
 
 use crate::commands::Failure;
+use pointcore::process::ProcessError;
 use pointcore::search::SearchError;
 use pointcore::vectors::VectorsError;
 use pointcore_lab::LabError;
@@ -18,7 +19,7 @@ const TOOL: u8 = 3;
 /// The code of a failure.
 pub fn code(failure: &Failure) -> ExitCode {
     ExitCode::from(match failure {
-        Failure::Neighbors(_) | Failure::Soak(_) | Failure::Stale { .. } => DISAGREEMENT,
+        Failure::Neighbors(_) | Failure::Operator(_) | Failure::Soak(_) | Failure::Stale { .. } => DISAGREEMENT,
         Failure::Mismatch(error) => lockstep(error),
         Failure::Verilated(error) => verilated(error),
         Failure::Generate(_) | Failure::Package(_) => TOOL,
@@ -33,6 +34,7 @@ pub fn code(failure: &Failure) -> ExitCode {
         | Failure::Blank { .. }
         | Failure::Render(_) => INPUT,
         Failure::Search(error) => search(error),
+        Failure::Process(error) => process(error),
         Failure::Vectors(error) => vectors(error),
         Failure::Lab(error) => lab(error),
     })
@@ -61,6 +63,13 @@ const fn search(error: &SearchError) -> u8 {
         SearchError::Verilated(error) => verilated(error),
         SearchError::Stuck { .. } => DISAGREEMENT,
         SearchError::Generate(_) => TOOL,
+        _ => INPUT,
+    }
+}
+
+const fn process(error: &ProcessError) -> u8 {
+    match error {
+        ProcessError::Generate(_) => TOOL,
         _ => INPUT,
     }
 }

@@ -5,8 +5,8 @@ mod exit;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use commands::{
-    Failure, accuracy, area, bench, diagram, generate, inspect, knn, mutate, plan, run, soak, stability, translate,
-    vectors,
+    Failure, accuracy, area, bench, diagram, generate, inspect, knn, mutate, plan, process, run, soak, stability,
+    translate, vectors,
 };
 use pointcore_lab::note;
 use std::process::ExitCode;
@@ -45,6 +45,22 @@ enum Command {
     /// asked unless --limit says otherwise. Without --config the hardware is derived: four points a cycle, the tree as deep as the points
     /// need, the queues as long as k. Neighbors go to out/knn/neighbors.csv, the report beside them.
     Knn(Box<knn::Arguments>),
+    /// Carry out an operator on the neighborhoods of points: normals, projections, smoothing, resampling, a fluid's forces.
+    ///
+    /// Each query has the k nearest points as its neighbors, or all within --radius, and goes through a program (docs/programs.md): one of the
+    /// project's by --op, or your own by --program. Settings follow from the points unless --set gives them; what a program reads of each point
+    /// is the points' attribute of that name: `normal` is nx, ny, nz, `area` a column of that name. Normals that a file does not have are
+    /// estimated. Points as they leave go to out/process/points.ply, the report beside them.
+    ///
+    /// Estimate normals:        pointcore process --op normals --points scan.ply --set viewpoint=0,0,2
+    /// Project onto planes:     pointcore process --op mls --points scan.ply --k 24
+    /// Smooth, eight times:     pointcore process --op smooth --points scan.ply --k 16 --passes 8
+    /// Four points of each:     pointcore process --op resample --points scan.ply --pattern 2x2
+    /// Forces in a fluid:       pointcore process --op sph --points particles.csv --radius 0.1 --k 30
+    ///
+    /// The bit-exact golden model carries it out. Exit code 1 where --check finds an output off by more than its bound.
+    #[command(verbatim_doc_comment)]
+    Process(Box<process::Arguments>),
     /// Write what a driver sends to a core over AXI and what must come back, from the golden model.
     ///
     /// For bringing up a board. vectors.json names the registers to write (docs/interfaces.md), the packets to send and to expect, and
@@ -112,6 +128,7 @@ fn main() -> ExitCode {
         Command::Gen(arguments) => generate::run(&arguments, output),
         Command::Run(arguments) => run::run(&arguments, output),
         Command::Knn(arguments) => knn::run(&arguments, output),
+        Command::Process(arguments) => process::run(&arguments, output),
         Command::Vectors(arguments) => vectors::run(&arguments, output),
         Command::Diagram(arguments) => diagram::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),

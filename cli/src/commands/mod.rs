@@ -12,6 +12,7 @@ pub mod mutate;
 pub mod numbers;
 pub mod output;
 pub mod plan;
+pub mod process;
 pub mod progress;
 pub mod results;
 pub mod run;
@@ -33,6 +34,8 @@ use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{DepthLoss, Plan, PlanError};
+use pointcore::process::ProcessError;
+use pointcore::process::check::Uncompared;
 use pointcore::scene::{Scene, SceneError};
 use pointcore::search::{SearchError, WrongAnswer};
 use pointcore::splat::{Fates, RenderError};
@@ -100,6 +103,12 @@ pub enum Failure {
     /// A neighbor search.
     #[error(transparent)]
     Search(#[from] SearchError),
+    /// An operator on neighborhoods.
+    #[error(transparent)]
+    Process(#[from] ProcessError),
+    /// Outputs of an operator that are not those of f64.
+    #[error("{0}")]
+    Operator(Uncompared),
     /// Vectors for a driver.
     #[error(transparent)]
     Vectors(#[from] VectorsError),

@@ -13,7 +13,7 @@ const CACHE_ENTRIES: u32 = 8;
 
 /// How many queries are asked.
 #[derive(Clone, Copy)]
-pub struct Limit(Option<usize>);
+pub struct Limit(pub Option<usize>);
 
 impl std::str::FromStr for Limit {
     type Err = String;

@@ -78,7 +78,8 @@ pub fn bind(
     {
         let columns: Vec<&Vec<f64>> = names.iter().map(|name| &cloud.columns[name]).collect();
         let values = (0..cloud.len()).map(|index| columns.iter().map(|column| column[index]).collect()).collect();
-        return bound(format!("{} of the points", names.join(", ")), values);
+        let from = names.first().and_then(|name| cloud.sources.get(name)).cloned();
+        return bound(from.unwrap_or_else(|| format!("{} of the points", names.join(", "))), values);
     }
     match (field.name.as_str(), field.ty, scale) {
         ("area", Type::Float, Some(scale)) => {

@@ -18,6 +18,8 @@ pub struct Cloud {
     pub(super) normals_from: String,
     /// Numbers of each by their names, lower case.
     pub(super) columns: BTreeMap<String, Vec<f64>>,
+    /// Where numbers come from that are not the file's, in words.
+    pub(super) sources: BTreeMap<String, String>,
     /// Where the sensor stood.
     pub(super) sensor: Option<DVec3>,
     /// What errors and reports call it.
@@ -83,6 +85,7 @@ impl Cloud {
             normals,
             normals_from: "nx, ny, nz of the points".to_owned(),
             columns,
+            sources: BTreeMap::new(),
             sensor: None,
             name,
             places: (0..count as u32).collect(),
@@ -127,8 +130,22 @@ impl Cloud {
         Ok(Self { set: PointSet::recentered(self.set.format(), points)?, ..self.clone() })
     }
 
-    /// Gives numbers of each point a name.
-    pub fn insert(&mut self, name: &str, values: Vec<f64>) {
+    /// The first points, or all.
+    ///
+    /// # Errors
+    /// There is none left.
+    pub fn limited(&self, limit: Option<usize>) -> Result<Self, ProcessError> {
+        let count = limit.unwrap_or(usize::MAX).min(self.len());
+        let mut limited = self.moved(self.set.given()[..count].to_vec())?;
+        limited.normals.iter_mut().for_each(|normals| normals.truncate(count));
+        limited.columns.values_mut().for_each(|values| values.truncate(count));
+        limited.places.truncate(count);
+        Ok(limited)
+    }
+
+    /// Gives numbers of each point a name; `from` says where they come from.
+    pub(super) fn insert(&mut self, name: &str, values: Vec<f64>, from: &str) {
         self.columns.insert(name.to_owned(), values);
+        self.sources.insert(name.to_owned(), from.to_owned());
     }
 }

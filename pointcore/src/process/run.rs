@@ -20,6 +20,9 @@ use std::sync::Arc;
 /// The most iterations of a query that a core counts.
 pub const ITERATIONS_LIMIT: u32 = (1 << pointcore_contract::process::config::ITERATION_BITS) - 1;
 
+/// Where the offsets of queries come from, in words.
+const PATTERN: &str = "the pattern: over the square that a point stands for";
+
 /// Which positions are asked about.
 #[derive(Clone, Debug)]
 pub enum Queries {
@@ -121,7 +124,8 @@ impl Process<'_> {
             stages.extend(processed.stages);
             for column in processed.columns {
                 for (part, numbers) in column.parts.iter().zip(column.numbers) {
-                    cloud.insert(part, (0..numbers.len()).map(|index| numbers.number(index)).collect());
+                    let values = (0..numbers.len()).map(|index| numbers.number(index)).collect();
+                    cloud.insert(part, values, &format!("output of `{}`", program.name()));
                 }
             }
         }
@@ -327,8 +331,8 @@ impl Pass<'_> {
         let mut asked = Asked { places: vec![], words: vec![] };
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
             let mut own = cloud.clone();
-            own.insert("u", vec![offset(column, columns); cloud.len()]);
-            own.insert("v", vec![offset(row, rows); cloud.len()]);
+            own.insert("u", vec![offset(column, columns); cloud.len()], PATTERN);
+            own.insert("v", vec![offset(row, rows); cloud.len()], PATTERN);
             let Asked { places, words } = self.asked(program, &own, &Queries::Points(points.to_vec()), summary)?;
             asked.places.extend(places);
             asked.words.extend(words);
