@@ -63,7 +63,7 @@ pub fn bind(
     let all = |value: Vec<f64>| vec![value; cloud.len()];
     if let Some(value) = given.get(&field.name) {
         if value.len() != field.ty.words() {
-            let problem = format!("{} numbers given: expected {} for a {}", value.len(), field.ty.words(), field.ty);
+            let problem = format!("has {} numbers: expected {} for a {}", value.len(), field.ty.words(), field.ty);
             let (program, name) = (program.name().to_owned(), field.name.clone());
             return Err(ProcessError::Value { what: "attribute", program, name, problem });
         }

@@ -7,6 +7,9 @@ use glam::DVec3;
 use pointcore_contract::Format;
 use std::collections::BTreeMap;
 
+/// What is right where a file's normals are of no use.
+const ESTIMATE: &str = ": expected normals, or to have them estimated (--normals estimate)";
+
 /// Points in a program's format, with what else is known of each.
 #[derive(Clone, Debug)]
 pub struct Cloud {
@@ -44,9 +47,14 @@ impl Cloud {
         };
         let model = Model::load_with(path, invalid)?;
         let wrong = |problem: String| crate::scene::SceneError::Model { path: path.clone(), problem };
-        let given = model.given_normals(normals).map_err(wrong)?;
+        let given =
+            model.given_normals(normals).map_err(|_| wrong(format!("holds neither normals nor faces{ESTIMATE}")))?;
         let unit = |(given, origin): (Vec<DVec3>, crate::scene::NormalOrigin)| {
-            Ok::<_, String>((crate::scene::normals::normalize(&model.points, &given)?, origin.to_string()))
+            Ok::<_, String>((
+                crate::scene::normals::normalize(&model.points, &given)
+                    .map_err(|_| format!("has normals, but all are zero{ESTIMATE}"))?,
+                origin.to_string(),
+            ))
         };
         let normals = given.map(unit).transpose().map_err(wrong)?;
         let left_out = model.dropped.clone();
@@ -73,7 +81,7 @@ impl Cloud {
     ) -> Result<Self, ProcessError> {
         let count = points.len();
         if let Some((column, values)) = columns.iter().find(|(_, values)| values.len() != count) {
-            let problem = format!("column `{column}` has {} numbers: expected {count}, one a point", values.len());
+            let problem = format!("has {} numbers: expected {count}, one a point", values.len());
             return Err(ProcessError::Value { what: "column", program: name, name: column.clone(), problem });
         }
         let normals = match ["nx", "ny", "nz"].map(|axis| columns.remove(axis)) {

@@ -49,7 +49,7 @@ pub enum ProcessError {
         known: Vec<String>,
     },
     /// A setting or field whose value does not fit.
-    #[error("{what} `{name}` of `{program}`: {problem}")]
+    #[error("{what} `{name}` of `{program}` {problem}")]
     Value {
         /// A setting, or a field.
         what: &'static str,
@@ -91,7 +91,7 @@ pub enum ProcessError {
         known: Vec<String>,
     },
     /// An attribute of a point that is no number of the program's.
-    #[error("{points}: {name} of vertex {index}: {problem}; --attribute {name}=VALUE gives all points one value")]
+    #[error("{points}: {name} of vertex {index} {problem}; --attribute {name}=VALUE gives all points one value")]
     Attribute {
         /// The points, as the user calls them.
         points: String,

@@ -19,6 +19,8 @@ mod report;
 mod run;
 mod scale;
 mod settings;
+#[cfg(test)]
+mod tests;
 mod words;
 
 pub use cloud::Cloud;

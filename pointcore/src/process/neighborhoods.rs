@@ -17,8 +17,8 @@ pub const NEIGHBORS_LIMIT: u32 = 64;
 /// How many points more are looked at, since the core's rounding may order others at nearly the same distance.
 const TIED: usize = 8;
 
-/// A search among points. Distances are those of the search core, bit for bit; of points at one distance the first in
-/// the set comes first.
+/// A search among points. Distances are those of the search core, bit for bit; points at one distance come in the order
+/// of the set.
 #[derive(Clone, Debug)]
 pub struct Neighborhoods {
     format: Format,
@@ -38,9 +38,9 @@ impl Neighborhoods {
         if !(1..=NEIGHBORS_LIMIT).contains(&k) {
             return Err(ProcessError::Neighbors(k));
         }
-        let problem = |radius, problem: &str| SearchError::Query {
+        let problem = |radius: f32, problem: &str| SearchError::Query {
             index: 0,
-            problem: format!("the radius is {radius}: {problem}"),
+            problem: format!("the radius is {radius:e}: {problem}"),
         };
         let radius2 = match radius {
             None => format.infinity() as u32,
@@ -48,13 +48,13 @@ impl Neighborhoods {
                 let radius = radius as f32;
                 let radius2 = encode(format, radius * radius);
                 encode_word(format, Scalar::Float, (radius * radius).into())
-                    .map_err(|_| problem(radius.into(), &format!("its square is not finite in {format}")))?;
+                    .map_err(|_| problem(radius, &format!("its square is not finite in {format}")))?;
                 if radius2 == 0 {
-                    return Err(problem(radius.into(), &format!("its square vanishes in {format}")).into());
+                    return Err(problem(radius, &format!("its square vanishes in {format}")).into());
                 }
                 radius2
             }
-            Some(radius) => return Err(problem(radius, "expected a positive number").into()),
+            Some(radius) => return Err(problem(radius as f32, "expected a positive number").into()),
         };
         let coordinates: Vec<[f64; 3]> = points.points().iter().map(|point| point.map(f64::from)).collect();
         let tree = ImmutableKdTree::new_from_slice(&coordinates);

@@ -60,17 +60,7 @@ impl Operation {
     /// It is no program, or one that the hardware has no room for.
     pub fn parse(file: &str, text: &str) -> Result<Self, ProcessError> {
         let program = Arc::new(Program::parse(file, text)?);
-        let config = Config {
-            program: Arc::clone(&program),
-            format: Format::F32,
-            index_bits: 24,
-            neighbors: super::NEIGHBORS_LIMIT,
-            threads: 128,
-            rate: 1,
-            line_points: 4,
-            cache_lines: 256,
-        };
-        config.validate()?;
+        config(Arc::clone(&program), Format::F32).validate()?;
         Ok(Self { name: program.name().to_owned(), stages: vec![program] })
     }
 
@@ -110,6 +100,20 @@ impl Operation {
         let fields =
             self.stages.iter().flat_map(|program| program.query.fields().iter().chain(program.neighbor.fields()));
         distinct(fields.filter(|field| field.name != "position"))
+    }
+}
+
+/// A core for a program: it says which programs and formats the hardware has room for.
+pub(super) const fn config(program: Arc<Program>, format: Format) -> Config {
+    Config {
+        program,
+        format,
+        index_bits: 24,
+        neighbors: super::NEIGHBORS_LIMIT,
+        threads: 128,
+        rate: 1,
+        line_points: 4,
+        cache_lines: 256,
     }
 }
 

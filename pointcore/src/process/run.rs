@@ -5,7 +5,7 @@ use super::attributes::{self, Bound, Whose};
 use super::cloud::Cloud;
 use super::engine::{Answer, Engine, Job};
 use super::neighborhoods::Neighborhoods;
-use super::operation::Operation;
+use super::operation::{Operation, config};
 use super::outcome::{Column, Numbers, Processed, Summary};
 use super::scale::Scale;
 use super::settings::{self, is_place};
@@ -86,6 +86,9 @@ impl Process<'_> {
     fn check(&self, queries: &Queries, cloud: &Cloud) -> Result<(), ProcessError> {
         settings::check_names(self.operation, self.settings)?;
         attributes::check_names(self.operation, self.attributes)?;
+        for program in self.operation.stages() {
+            config(Arc::clone(program), cloud.set.format()).validate()?;
+        }
         if !(1..=ITERATIONS_LIMIT).contains(&self.iterations) {
             return Err(ProcessError::Iterations(self.iterations));
         }

@@ -29,7 +29,8 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// That of points whose queries have `k` neighbors, or those within a radius; `None` where all lie in one place.
+    /// That of points whose queries have `k` neighbors, or those within a radius; `None` where all lie in one place and there
+    /// is no radius.
     #[must_use]
     pub fn of(points: &PointSet, k: u32, radius: Option<f64>) -> Option<Self> {
         let distinct = Distinct::of(points.given()).points;
@@ -38,7 +39,9 @@ impl Scale {
         // The query itself is the nearest of its neighbors.
         let others = (k.max(2) as usize - 1).min(distinct.len() - 1);
         if others == 0 {
-            return None;
+            // A single place has the radius for its only length.
+            let lengths = |radius| Self { radius, nearest: radius, side: radius, extent: DVec3::ZERO, middle: low };
+            return radius.map(lengths);
         }
         let count = distinct.len().min(MEASURED);
         let chosen: Vec<usize> = (0..count).map(|index| index * distinct.len() / count).collect();

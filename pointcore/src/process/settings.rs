@@ -65,7 +65,7 @@ pub fn settings(
             None => derived(program, field, cloud, scale)?,
         };
         if values.len() != field.ty.words() {
-            let problem = format!("{} numbers given: expected {} for a {}", values.len(), field.ty.words(), field.ty);
+            let problem = format!("has {} numbers: expected {} for a {}", values.len(), field.ty.words(), field.ty);
             return Err(fault(program, field, problem));
         }
         Ok(Setting { name: field.name.clone(), values, given: given.contains_key(&field.name) })
