@@ -23,12 +23,12 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim sim_axi synth
 
 .DEFAULT_GOAL := help
-.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
+.PHONY: help house setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn process plan gen quick test formal cocotb bindings c python check bench stability soak mutate accuracy check-page synth check-area mark-area generated check-generated fusesoc driver doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
 	@echo '  SCENE=FILE chooses the scene of run, plan, gen and accuracy (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
-	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more arguments of it and of run-scan;'
+	@echo '  POINTS=FILE the points of knn and process (default $(POINTS)), ARGS=... more arguments of these and of run-scan;'
 	@echo '  CORE=NAME the core of fusesoc (default $(CORE)), TARGETS=... what it runs (default $(TARGETS)).'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
@@ -58,6 +58,10 @@ run-scan: setup ## Render a model of your own, the camera around it, into out/: 
 
 knn: setup ## Search the nearest neighbors of POINTS on the generated hardware, in lockstep with its model, into out/knn
 	cargo run --release --bin pointcore -- knn --points $(POINTS) $(ARGS)
+
+process: setup ## Estimate the normals of POINTS by a program, compared with f64, and draw them by these, into out/process
+	cargo run --release --bin pointcore -- process --op normals --points $(POINTS) --check $(ARGS)
+	cargo run --release --bin pointcore -- run out/process/points.ply --model golden -o out/process/picture
 
 plan: ## Show which hardware SCENE calls for, and why
 	cargo run --release --bin pointcore -- plan $(SCENE)

@@ -4,6 +4,7 @@ mod command_accuracy;
 mod command_area;
 mod command_honest;
 mod command_knn;
+mod command_process;
 mod command_soak;
 mod command_vectors;
 mod front;

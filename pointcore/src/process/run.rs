@@ -23,6 +23,11 @@ pub const ITERATIONS_LIMIT: u32 = (1 << pointcore_contract::process::config::ITE
 /// Where the offsets of queries come from, in words.
 const PATTERN: &str = "the pattern: over the square that a point stands for";
 
+/// The program whose normals are mollified.
+const SMOOTHING: &str = "smooth";
+/// How many times more neighbors they are estimated from, within twice the radius.
+const MOLLIFYING: u32 = 4;
+
 /// Which positions are asked about.
 #[derive(Clone, Debug)]
 pub enum Queries {
@@ -241,7 +246,13 @@ impl Pass<'_> {
             attributes: &none,
             ..*self.process
         };
-        let pass = Pass { process: &process, ..*self };
+        // Normals by which points are smoothed are mollified: those of the noise would keep it (Jones, Durand and Desbrun 2003).
+        let is_smoothing = program.name() == SMOOTHING;
+        let wide = if is_smoothing { MOLLIFYING * process.k } else { process.k }.min(super::NEIGHBORS_LIMIT);
+        let radius = process.radius.map(|radius| if is_smoothing { 2.0 * radius } else { radius });
+        let neighborhoods = Arc::new(Neighborhoods::new(&cloud.set, wide, radius)?);
+        let scale = Scale::of(&cloud.set, wide, radius);
+        let pass = Pass { process: &process, scale, neighborhoods: &neighborhoods, ..*self };
         let all = Queries::Points((0..cloud.len()).collect());
         let found = pass.stage(&operation.stages()[0], cloud, &all, &mut process.summary(cloud, self.engine))?;
         let column = found.column("normal").expect("the program `normals` has them");
@@ -253,7 +264,7 @@ impl Pass<'_> {
             None => (oriented(cloud.set.given(), &normals), "turned so that neighbors agree"),
         };
         cloud.normals = Some(normals);
-        cloud.normals_from = format!("estimated by `normals`, {side}");
+        cloud.normals_from = format!("estimated by `normals` from {wide} neighbors, {side}");
         Ok(())
     }
 
