@@ -49,6 +49,8 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         &["--op", "mls", "--normals", "file"],
         &["same.xyz", "neither normals nor faces", "--normals estimate"],
     );
+    workplace.write("half.csv", "x,y,z,nx,ny\n0,0,0,0,1\n0,1,0,0,1\n1,0,0,0,1\n");
+    fails("half.csv", &["--op", "mls"], &["half.csv", "expected nx, ny and nz"]);
     fails("holes.csv", &["--program", "own.pasm", "--set", "gain=1"], &["holes.csv: heat of vertex 1 is NaN"]);
     assert!(!workplace.path().join("out").exists(), "nothing is written on wrong input");
 }
@@ -106,4 +108,19 @@ fn a_program_of_your_own_reads_columns_of_the_points() {
     let text = fs::read_to_string(workplace.path().join("out/process/points.csv")).expect("it is written");
     let expected = "query,x,y,z,iterations,neighbors,capped,warm\n0,0,0,0,1,3,0,3.5e0\n";
     assert!(text.starts_with(expected), "{text}");
+}
+
+#[test]
+fn an_output_named_as_a_column_of_every_file_is_kept() {
+    let workplace = Workplace::new();
+    workplace.write(
+        "sum.pasm",
+        ".program sum\n.kernel\none = mul 1, 7\naccumulate total, one\n.final\noutput neighbors, total\n",
+    );
+    workplace.write("points.csv", "x,y,z\n0,0,0\n0,1,0\n1,0,0\n");
+    workplace.succeeds(&["process", "--program", "sum.pasm", "--points", "points.csv", "--write", "ply,csv,npy"]);
+    let folder = workplace.path().join("out/process");
+    let text = fs::read_to_string(folder.join("points.csv")).expect("it is written");
+    assert!(text.starts_with("query,x,y,z,iterations,neighbors,capped,output_neighbors\n0,0,0,0,1,3,0,21\n"), "{text}");
+    assert!(folder.join("arrays/output_neighbors.npy").exists());
 }

@@ -29,6 +29,8 @@ pub struct Cloud {
     pub(super) name: String,
     /// The place of each point in its file.
     pub(super) places: Vec<u32>,
+    /// Points of the file that were left out.
+    pub(super) left_out: usize,
 }
 
 impl Cloud {
@@ -63,6 +65,7 @@ impl Cloud {
             (cloud.normals, cloud.normals_from) = (Some(normals), origin);
         }
         cloud.sensor = model.sensor;
+        cloud.left_out = left_out.len();
         let mut left_out = left_out.into_iter().peekable();
         let is_kept = |place: &u32| left_out.next_if_eq(place).is_none();
         cloud.places = (0..).filter(is_kept).take(cloud.len()).collect();
@@ -86,7 +89,11 @@ impl Cloud {
         }
         let normals = match ["nx", "ny", "nz"].map(|axis| columns.remove(axis)) {
             [Some(x), Some(y), Some(z)] => Some((0..count).map(|i| DVec3::new(x[i], y[i], z[i])).collect()),
-            _ => None,
+            [None, None, None] => None,
+            _ => {
+                let problem = "is not whole: expected nx, ny and nz, or none of them".to_owned();
+                return Err(ProcessError::Value { what: "column", program: name, name: "normal".to_owned(), problem });
+            }
         };
         Ok(Self {
             set: PointSet::recentered(format, points)?,
@@ -97,6 +104,7 @@ impl Cloud {
             sensor: None,
             name,
             places: (0..count as u32).collect(),
+            left_out: 0,
         })
     }
 
@@ -126,8 +134,8 @@ impl Cloud {
 
     /// Points of the file that were left out.
     #[must_use]
-    pub fn left_out(&self) -> usize {
-        self.places.last().map_or(0, |last| *last as usize + 1 - self.len())
+    pub const fn left_out(&self) -> usize {
+        self.left_out
     }
 
     /// The same points elsewhere.

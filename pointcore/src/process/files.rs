@@ -1,6 +1,6 @@
 //! Results as files that other programs read: PLY, CSV, NumPy's arrays.
 
-use super::outcome::{Numbers, Processed};
+use super::outcome::{Column, Numbers, Processed};
 use npyz::WriterBuilder as _;
 use ply_rs_bw::ply::{
     Addable as _, ElementDef, Encoding, Ply, Property, PropertyAccess, PropertyAccessResult, PropertyDef, PropertyType,
@@ -16,14 +16,21 @@ struct Named<'a> {
     numbers: &'a Numbers,
 }
 
-/// The query's place in the end is x, y, z; a normal is nx, ny, nz; everything else bears its name.
+/// What stands before the name of an output that every file has besides.
+const OF_PROGRAM: &str = "output_";
+
+/// The query's place in the end is x, y, z; a normal is nx, ny, nz; everything else bears its name, which no other has.
 fn columns<'a>(processed: &'a Processed, extra: &'a [(&'static str, Numbers)]) -> Vec<Named<'a>> {
     let mut columns: Vec<Named<'_>> =
         extra.iter().map(|(name, numbers)| Named { name: (*name).to_owned(), numbers }).collect();
     for column in processed.columns.iter().filter(|column| !(column.name == "position" && column.parts.len() == 3)) {
         for (part, numbers) in column.parts.iter().zip(&column.numbers) {
             let axis = part.strip_prefix("normal_").filter(|_| column.name == "normal");
-            columns.push(Named { name: axis.map_or(part.clone(), |axis| format!("n{axis}")), numbers });
+            let mut name = axis.map_or(part.clone(), |axis| format!("n{axis}"));
+            while columns.iter().any(|column| column.name == name) {
+                name.insert_str(0, OF_PROGRAM);
+            }
+            columns.push(Named { name, numbers });
         }
     }
     columns
@@ -138,11 +145,16 @@ pub fn ply(processed: &Processed) -> io::Result<Vec<u8>> {
 pub fn npy(processed: &Processed) -> io::Result<Vec<(String, Vec<u8>)>> {
     let places: Vec<Numbers> = extra(processed).into_iter().take(3).map(|(_, numbers)| numbers).collect();
     let mut arrays = vec![("position".to_owned(), array(&places.iter().collect::<Vec<_>>())?)];
-    for column in processed.columns.iter().filter(|column| column.name != "position") {
-        arrays.push((column.name.clone(), array(&column.numbers.iter().collect::<Vec<_>>())?));
-    }
     for (name, numbers) in extra(processed).iter().skip(3) {
         arrays.push(((*name).to_owned(), array(&[numbers])?));
+    }
+    let is_place = |column: &&Column| column.name == "position" && column.parts.len() == 3;
+    for column in processed.columns.iter().filter(|column| !is_place(column)) {
+        let mut name = column.name.clone();
+        while arrays.iter().any(|(other, _)| *other == name) {
+            name.insert_str(0, OF_PROGRAM);
+        }
+        arrays.push((name, array(&column.numbers.iter().collect::<Vec<_>>())?));
     }
     Ok(arrays)
 }

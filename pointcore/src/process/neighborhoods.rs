@@ -68,12 +68,22 @@ impl Neighborhoods {
         if !place.iter().all(|number| number.is_finite()) {
             return vec![];
         }
-        let wanted = NonZero::<usize>::MIN.saturating_add(self.k + TIED - 1);
-        let found = self.tree.nearest_n::<SquaredEuclidean>(&place, wanted);
         let measure =
             |index: u64| (squared_distance(self.format, self.encoded[index as usize], position), index as u32);
-        let near = found.iter().map(|near| measure(near.item));
-        let mut near: Vec<(u32, u32)> = near.filter(|(distance2, _)| *distance2 < self.radius2).collect();
+        let mut wanted = self.k + TIED;
+        let mut near: Vec<(u32, u32)> = loop {
+            let count = NonZero::<usize>::MIN.saturating_add(wanted - 1);
+            let found = self.tree.nearest_n::<SquaredEuclidean>(&place, count);
+            let near: Vec<(u32, u32)> = found.iter().map(|near| measure(near.item)).collect();
+            // More may be as near as the last one that counts.
+            let farthest = near.iter().map(|(distance2, _)| *distance2).max();
+            let nearer = near.iter().filter(|(distance2, _)| Some(*distance2) < farthest).count();
+            if nearer >= self.k || near.len() < wanted {
+                break near;
+            }
+            wanted *= 2;
+        };
+        near.retain(|(distance2, _)| *distance2 < self.radius2);
         // Encodings of positive numbers are in the order of the numbers.
         near.sort_unstable();
         near.truncate(self.k);

@@ -53,6 +53,8 @@ pub struct Summary {
     pub points: String,
     /// Number of points.
     pub point_count: usize,
+    /// Points of the file that were left out, since they are no numbers.
+    pub left_out: usize,
     /// Number of queries.
     pub queries: usize,
     /// How often the points were replaced by what left.

@@ -51,6 +51,9 @@ impl ProcessReport {
             "{} queries among {} points{passes}, by the {}, floats in {}.\n",
             summary.queries, summary.point_count, summary.engine, self.format
         );
+        if summary.left_out > 0 {
+            _ = writeln!(text, "{} points of the file are no numbers and were left out.\n", summary.left_out);
+        }
         _ = writeln!(text, "| | |\n|---|---|");
         let mut row = |name: &str, value: String| _ = writeln!(text, "| {name} | {value} |");
         row("neighbors of a query", format!("{:.2} of up to {}{radius}", each(summary.neighbors), self.k));

@@ -148,6 +148,7 @@ impl Process<'_> {
             engine: engine.name(),
             points: cloud.name.clone(),
             point_count: cloud.len(),
+            left_out: cloud.left_out(),
             queries: 0,
             passes: 1,
             iterations: 0,

@@ -215,6 +215,17 @@ fn points_without_a_surface_stay_where_they_are() {
 
 /// The neighbors that the search core has: nearest first, of the core's distances.
 #[test]
+fn points_that_tie_come_in_the_order_of_the_set() {
+    let mut points = vec![DVec3::ZERO; 100];
+    points.push(DVec3::X);
+    let cloud = cloud(points, &[]);
+    let neighborhoods = Neighborhoods::new(cloud.points(), 4, None).unwrap_or_else(|error| panic!("{error}"));
+    let position = |index: usize| cloud.points().encoded()[index];
+    assert_eq!(neighborhoods.of(position(50)), [0, 1, 2, 3]);
+    assert_eq!(neighborhoods.of(position(100)), [100, 0, 1, 2]);
+}
+
+#[test]
 fn neighborhoods_are_those_of_a_search_through_all_points() {
     let points = cloud(trefoil(2000), &[]);
     let encoded = points.points().encoded();
