@@ -75,6 +75,8 @@ impl Queries {
 }
 
 impl Rule for Queries {
+    const SEEDS: u64 = 6;
+
     fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
         if stream == "sums" {
             assert_eq!(Some(fields.to_vec()), self.expected.pop_front());

@@ -22,6 +22,8 @@ struct Threads {
 }
 
 impl Rule for Threads {
+    const SEEDS: u64 = 8;
+
     fn transferred(&mut self, _: &mut Feeds, stream: &str, fields: &[u64]) {
         let threads = if stream == "in" { &mut self.entered } else { &mut self.left };
         threads.push(fields[0]);

@@ -24,6 +24,8 @@ struct Surroundings {
 }
 
 impl Rule for Surroundings {
+    const SEEDS: u64 = 4;
+
     fn quiet_cycles(&self) -> u64 {
         BLOCK_CYCLES
     }

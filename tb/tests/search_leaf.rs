@@ -39,6 +39,8 @@ impl Visits {
 }
 
 impl Rule for Visits {
+    const SEEDS: u64 = 10;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "tree" => {

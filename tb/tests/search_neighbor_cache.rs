@@ -212,6 +212,8 @@ impl Surroundings {
 }
 
 impl Rule for Surroundings {
+    const SEEDS: u64 = 10;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "setup" => {

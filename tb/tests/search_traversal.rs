@@ -48,6 +48,8 @@ fn answer(tree: &Tree, feeds: &mut Feeds, node: &[u64]) {
 }
 
 impl Rule for Threads {
+    const SEEDS: u64 = 20;
+
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "tree" => {

@@ -7,7 +7,7 @@ use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams
 use pointcore_tb::verilated::{Direction, Library, Port};
 
 /// Cycles without a transfer that end a run, where its rule does not say otherwise; longer than any latency or pause here.
-const QUIET_CYCLES: u64 = 2000;
+const QUIET_CYCLES: u64 = 500;
 
 /// What waits to enter the unit.
 #[derive(Clone)]
@@ -78,6 +78,9 @@ impl Feeds {
 
 /// What follows from what moves.
 pub trait Rule: Clone {
+    /// Runs of one configuration.
+    const SEEDS: u64 = 40;
+
     /// Called for every transfer, in the cycle after it.
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]);
 

@@ -15,9 +15,6 @@ use environment::{Environment, Feeds, Rule};
 
 use crate::support;
 
-/// Runs of one configuration.
-const SEEDS: u64 = 40;
-
 /// Few and many threads, every number of lanes, two formats, with short indices and shallow trees, without caches.
 pub fn configs() -> [Config; 4] {
     let base = Config {
@@ -52,7 +49,7 @@ pub fn lockstep<M: Model + 'static, R: Rule>(
     let interface = (unit.interface)(config);
     support::check_streams(&library, &interface);
     let specified = interface.ports();
-    for seed in seeds(SEEDS).unwrap() {
+    for seed in seeds(R::SEEDS).unwrap() {
         let golden = support::by_name(&library, &specified, Ported::new(config, model.clone()));
         let mask = mask.clone();
         let run = Lockstep::new(&library, golden, seed).mask(move |hardware, golden| {
