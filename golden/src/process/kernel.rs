@@ -1,7 +1,7 @@
 //! Neighbors and their sums: the block `kernel` once a neighbor, and what it adds (thesis 6.5.4).
 //!
-//! Neighbor `i` of a query goes to partial sum `i mod 8` of each sum, which begins as +0. Two banks of partial sums take
-//! turns: the sums of a query wait in theirs until they have left, while the next query's neighbors are added.
+//! Neighbor `i` of a query goes to partial sum `i mod 8` of each sum, which begins as +0. Banks of partial sums take turns:
+//! the sums of a query wait in theirs until they have left, while the next queries' neighbors are added.
 
 use super::block::Blocks;
 use crate::datapath::Datapath;
@@ -12,8 +12,13 @@ use pointcore_contract::process::records::{KernelInput, Settings, Sums, Thread};
 pub use pointcore_contract::process::units::kernel::{In, Out};
 use pointcore_contract::process::{Config, PARTIAL_SUMS, Scalar, Section, Source};
 
-/// Banks of partial sums.
-const BANKS: usize = 2;
+/// Banks of partial sums. A bank is held while its query's neighbors come, while the adders take the last one in, and
+/// while the sums leave: for queries of eight neighbors three times as long as they take to come.
+const BANKS: usize = 4;
+
+/// Partial sums that leave a bank in a cycle: all of them, and the cycles in which they are shown, take fewer cycles than
+/// eight neighbors.
+const LEAVING: usize = 2;
 
 /// A compiled pipeline, from the manifest that the generator writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,7 +151,7 @@ impl Kernel {
         Some(Added { bank, partial, none, last, words })
     }
 
-    /// A partial sum of the bank that leaves goes where all of them are shown together.
+    /// Partial sums of the bank that leaves go where all of them are shown together.
     fn leave(&mut self, is_taken: bool) {
         let Bank { partial, thread, present, complete, .. } = self.banks[self.leaving];
         if self.is_out {
@@ -156,12 +161,13 @@ impl Kernel {
         if !complete {
             return;
         }
-        let at = self.left;
         self.out.thread = thread;
-        for (sums, word) in self.out.partial[..self.sums.len()].iter_mut().zip(partial[at]) {
-            sums[at] = if at < present { word } else { 0 };
+        for at in self.left..self.left + LEAVING {
+            for (sums, word) in self.out.partial[..self.sums.len()].iter_mut().zip(partial[at]) {
+                sums[at] = if at < present { word } else { 0 };
+            }
         }
-        self.left = (at + 1) % PARTIAL_SUMS;
+        self.left = (self.left + LEAVING) % PARTIAL_SUMS;
         if self.left == 0 {
             self.is_out = true;
             let bank = &mut self.banks[self.leaving];
@@ -196,5 +202,63 @@ impl Model for Kernel {
             self.banks[bank].complete |= last;
         }
         self.neighbor.step(inputs.neighbor, entering.is_some());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_contract::Format;
+    use pointcore_contract::process::library::program;
+    use std::sync::Arc;
+
+    const QUERIES: u32 = 60;
+    /// Queries whose sums leave while the pipelines fill.
+    const MARGIN: u32 = 20;
+    /// `process_bank` takes sums in the second cycle in which they are shown.
+    const SHOWN: u32 = 2;
+
+    /// Cycles a query, of queries of so many neighbors that are always there.
+    fn cycles(rate: u32, sums: u32, neighbors: u32) -> f64 {
+        let config = Config {
+            program: Arc::new(program("mls")),
+            format: Format::F32.flushed(),
+            index_bits: 10,
+            neighbors: 64,
+            threads: 64,
+            rate,
+            line_points: 4,
+            cache_lines: 16,
+        };
+        let pipelines = [40, sums].map(|latency| Pipeline { latency, interval: rate });
+        let mut unit = Kernel::new(&config, KernelPipelines { kernel: pipelines[0], sums: pipelines[1] });
+        let (mut sent, mut left, mut shown, mut first, mut last, mut now) = (0, 0, 0, 0, 0, 0_u32);
+        while left < QUERIES {
+            let out = unit.outputs();
+            let last_one = sent % neighbors + 1 == neighbors;
+            let neighbor = KernelInput { last: last_one, ..KernelInput::default() };
+            shown = if out.sums.is_some() { shown + 1 } else { 0 };
+            let sums_ready = shown >= SHOWN;
+            unit.clock(&In { neighbor: Some(neighbor), sums_ready, ..In::default() });
+            sent += u32::from(out.neighbor_ready);
+            if sums_ready {
+                first = if left == MARGIN { now } else { first };
+                last = now;
+                left += 1;
+            }
+            now += 1;
+            assert!(now < 100_000, "it stands still after {left} queries");
+        }
+        f64::from(last - first) / f64::from(QUERIES - 1 - MARGIN)
+    }
+
+    #[test]
+    fn neighbors_are_taken_at_the_rate_across_queries() {
+        // The longest adders that are ready for a partial sum again when its next neighbor comes.
+        for (rate, sums) in [(1, 6), (1, 4), (2, 14), (3, 22)] {
+            for neighbors in [8, 9, 11, 16, 64] {
+                assert_eq!(cycles(rate, sums, neighbors), f64::from(rate * neighbors), "{rate} {sums} {neighbors}");
+            }
+        }
     }
 }

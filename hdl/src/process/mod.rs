@@ -5,6 +5,7 @@ pub mod control;
 pub mod gatherer;
 pub mod kernel;
 pub mod output;
+mod partial_sums;
 pub mod program;
 pub mod stage;
 pub mod threads;

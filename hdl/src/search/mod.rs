@@ -13,7 +13,7 @@ pub mod top;
 pub mod traversal;
 pub mod tree_cache;
 
-mod parts;
+pub(crate) mod parts;
 
 use pointcore_contract::Unit;
 use pointcore_contract::search::{Config, units};
