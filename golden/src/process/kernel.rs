@@ -1,7 +1,7 @@
 //! Neighbors and their sums: the block `kernel` once a neighbor, and what it adds (thesis 6.5.4).
 //!
-//! Neighbor `i` of a query goes to partial sum `i mod 8` of each sum, which begins as +0. Banks of partial sums take turns:
-//! the sums of a query wait in theirs until they have left, while the next queries' neighbors are added.
+//! Neighbor `i` of a query goes to partial sum `i mod 8` of each sum, which begins as +0. Banks of partial sums take
+//! turns: the sums of a query wait in theirs until they have left, while the next queries' neighbors are added.
 
 use super::block::Blocks;
 use crate::datapath::Datapath;
@@ -16,8 +16,8 @@ use pointcore_contract::process::{Config, PARTIAL_SUMS, Scalar, Section, Source}
 /// while the sums leave: for queries of eight neighbors three times as long as they take to come.
 const BANKS: usize = 4;
 
-/// Partial sums that leave a bank in a cycle: all of them, and the cycles in which they are shown, take fewer cycles than
-/// eight neighbors.
+/// Partial sums that leave a bank in a cycle: all of them, and the cycles in which they are shown, take fewer cycles
+/// than eight neighbors.
 const LEAVING: usize = 2;
 
 /// A compiled pipeline, from the manifest that the generator writes.

@@ -103,8 +103,8 @@ impl Banks {
         }
     }
 
-    /// Takes a pair of partial sums in a cycle to where all of a bank's are shown, one bank after the other. `taken` and
-    /// `completed` are the sets of banks that are so from the next cycle on.
+    /// Takes a pair of partial sums in a cycle to where all of a bank's are shown, one bank after the other. `taken`
+    /// and `completed` are the sets of banks that are so from the next cycle on.
     pub fn leave(&self, m: &mut Module, config: &Config, taken: Expr, completed: Expr) {
         let bank = m.reg_reset("leaving", BANK_BITS, 0);
         let pair = m.reg_reset("left", PAIR_BITS, 0);
