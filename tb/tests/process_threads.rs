@@ -79,10 +79,6 @@ impl Rule for Surroundings {
     const SEEDS: u64 = 6;
 
     fn quiet_cycles(&self) -> u64 {
-        4000
-    }
-
-    fn quiet_cycles(&self) -> u64 {
         BLOCK_CYCLES
     }
 
