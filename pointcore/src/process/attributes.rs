@@ -129,13 +129,12 @@ fn columns(field: &Field) -> Vec<Vec<String>> {
 fn missing(program: &Program, whose: Whose, field: &Field, cloud: &Cloud) -> ProcessError {
     let spelled: Vec<String> = columns(field).iter().map(|names| names.join(", ")).collect();
     let what = if field.ty == Type::Float3 { "columns" } else { "column" };
+    let example = if field.ty == Type::Float3 { "X,Y,Z" } else { "NUMBER" };
+    let remedy = format!("--attribute {}={example} gives all points one value", field.name);
     ProcessError::MissingAttribute {
         points: cloud.name.clone(),
         program: program.name().to_owned(),
-        whose: whose.name(),
-        name: field.name.clone(),
-        ty: field.ty.to_string(),
-        columns: format!("{what} {}", spelled.join(" or ")),
-        example: if field.ty == Type::Float3 { "X,Y,Z" } else { "NUMBER" },
+        field: format!("{}.{} ({})", whose.name(), field.name, field.ty),
+        columns: format!("{what} {}: {remedy}", spelled.join(" or ")),
     }
 }

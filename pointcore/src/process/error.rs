@@ -61,24 +61,16 @@ pub enum ProcessError {
         problem: String,
     },
     /// A field that no attribute of the points gives.
-    #[error(
-        "{points}: `{program}` reads {whose}.{name} ({ty}), but there is no {columns}: --attribute {name}={example} gives all points one value"
-    )]
+    #[error("{points}: `{program}` reads {field}, but there is no {columns}")]
     MissingAttribute {
         /// The points, as the user calls them.
         points: String,
         /// The operation.
         program: String,
-        /// `query` or `neighbor`.
-        whose: &'static str,
-        /// The field.
-        name: String,
-        /// Its type.
-        ty: String,
-        /// The columns that would do.
+        /// The field and its type.
+        field: String,
+        /// The columns that would do, and what else.
         columns: String,
-        /// A value for an example.
-        example: &'static str,
     },
     /// A constant for a field that no program reads.
     #[error("`{program}` reads no field `{name}`: its fields are {}", listed(known))]
