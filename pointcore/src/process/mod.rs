@@ -19,6 +19,7 @@ mod report;
 mod run;
 mod scale;
 mod settings;
+mod stage;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -32,6 +33,7 @@ pub use neighborhoods::{NEIGHBORS_LIMIT, Neighborhoods};
 pub use operation::Operation;
 pub use outcome::{Column, Numbers, Processed, Summary};
 pub use report::ProcessReport;
-pub use run::{ITERATIONS_LIMIT, Process, Queries, Stage, process};
+pub use run::{ITERATIONS_LIMIT, Process, Queries, process};
 pub use scale::Scale;
 pub use settings::Setting;
+pub use stage::Stage;

@@ -5,7 +5,7 @@
 
 mod formulas;
 
-use super::run::Stage;
+use super::stage::Stage;
 use super::words::decode_word;
 use formulas::Formula;
 use glam::DVec3;
