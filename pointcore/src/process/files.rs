@@ -145,16 +145,17 @@ pub fn ply(processed: &Processed) -> io::Result<Vec<u8>> {
 pub fn npy(processed: &Processed) -> io::Result<Vec<(String, Vec<u8>)>> {
     let places: Vec<Numbers> = extra(processed).into_iter().take(3).map(|(_, numbers)| numbers).collect();
     let mut arrays = vec![("position".to_owned(), array(&places.iter().collect::<Vec<_>>())?)];
-    for (name, numbers) in extra(processed).iter().skip(3) {
-        arrays.push(((*name).to_owned(), array(&[numbers])?));
-    }
+    let extra = &extra(processed)[3..];
     let is_place = |column: &&Column| column.name == "position" && column.parts.len() == 3;
     for column in processed.columns.iter().filter(|column| !is_place(column)) {
         let mut name = column.name.clone();
-        while arrays.iter().any(|(other, _)| *other == name) {
+        while arrays.iter().any(|(other, _)| *other == name) || extra.iter().any(|(other, _)| *other == name) {
             name.insert_str(0, OF_PROGRAM);
         }
         arrays.push((name, array(&column.numbers.iter().collect::<Vec<_>>())?));
+    }
+    for (name, numbers) in extra {
+        arrays.push(((*name).to_owned(), array(&[numbers])?));
     }
     Ok(arrays)
 }

@@ -72,7 +72,19 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
         return Err(format!("line {line}: three numbers expected, separated by commas, semicolons or blanks"));
     }
     let attributes = names.as_deref().map(|names| attributes(&rows, names)).unwrap_or_default();
+    if let Some([present, missing]) = names.as_deref().and_then(half_a_normal) {
+        return Err(format!("has `{present}` but no `{missing}`: expected nx, ny and nz, or none of them"));
+    }
     Ok(Model { attributes, ..model(&rows, named.unwrap_or_else(|| layout_of_numbers(&rows)))? })
+}
+
+/// A part of a normal among the names, and one that is not.
+fn half_a_normal(names: &[String]) -> Option<[&'static str; 2]> {
+    let parts = &NAMES[NORMAL..COLOR];
+    let is_present = |part: &[&str; 3]| names.iter().any(|name| part.contains(&name.to_lowercase().as_str()));
+    let present = parts.iter().find(|part| is_present(part))?;
+    let missing = parts.iter().find(|part| !is_present(part))?;
+    Some([present[0], missing[0]])
 }
 
 /// The columns of other names that hold a number at least.
