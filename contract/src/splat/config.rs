@@ -89,7 +89,7 @@ configuration! {
             culling: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
             /// The screen-space filter of thesis 5.4.2.
             screen_filter: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
-            /// Splats that reach the eye plane get the viewport for bounds, and samples behind the eye are none of theirs.
+            /// Splats that reach the near, far or eye plane are drawn as far as they lie between near and far, sample by sample.
             eye_plane: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
             /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
             kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;

@@ -127,6 +127,15 @@ impl RasterFormat {
         }
     }
 
+    /// Bits of a limit of `|D|`: in floating point a magnitude, in fixed point one in units of `Δ`.
+    #[must_use]
+    pub const fn limit_width(self) -> u32 {
+        match self {
+            Self::Float(format) => format.width() - 1,
+            Self::Fixed(coefficient) => coefficient.delta_width(),
+        }
+    }
+
     /// The format of coefficients, in floating point.
     #[must_use]
     pub const fn floating(self) -> Option<Format> {

@@ -29,7 +29,7 @@ pub struct Footprint {
 #[derive(Clone, Debug, PartialEq)]
 enum Shape {
     Backward {
-        projection: Projection,
+        projection: Box<Projection>,
         filter_radius_px: Option<f64>,
     },
     /// `ρ² = xx·x'² + 2·xy·x'y' + yy·y'²`.
@@ -69,11 +69,21 @@ impl Footprint {
         match &self.shape {
             Shape::Backward { projection, filter_radius_px } => {
                 let on_splat = squared_distance_on_splat(projection, x, y);
+                let filter_radius_px = filter_radius_px.filter(|_| projection.is_centered);
                 let on_screen = filter_radius_px.map_or(f64::INFINITY, |radius| (x * x + y * y) / (radius * radius));
                 on_splat.min(on_screen)
             }
             Shape::Forward { xx, xy, yy, .. } => xx * x * x + 2.0 * xy * x * y + yy * y * y,
         }
+    }
+
+    /// How near a sample at `ρ²` comes to another outcome: to the edge of its splat, or within that to near or far plane.
+    #[must_use]
+    pub fn edge(&self, column: usize, row: usize, squared_distance: f64) -> f64 {
+        let edge = (squared_distance - 1.0).abs();
+        let Shape::Backward { projection, .. } = &self.shape else { return edge };
+        let [x, y] = sampling::position(self.sampling, column, row);
+        edge.min(projection.margin(x - self.center[0], y - self.center[1]).abs())
     }
 
     /// Depth of the sample in a column and a row.
@@ -99,12 +109,18 @@ impl Footprint {
     }
 }
 
-/// `ρ²` where the viewing ray through `c + (x, y)` meets the splat's plane in front of the eye, else infinity.
+/// `ρ²` where the viewing ray through `c + (x, y)` meets the splat's plane between near and far plane, else infinity.
 ///
 /// Solving `x = (s·A_x + t·B_x)/w`, `y` alike, for `(s, t)` by Cramer's rule has the determinant
 /// `D = Δ + x(β·A_y − α·B_y) + y(α·B_x − β·A_x)`, where `Δ = A_x·B_y − B_x·A_y`, and gives `w = Δ/D`: the hit lies in
 /// front of the eye iff `D` and `Δ` have one sign.
 fn squared_distance_on_splat(projection: &Projection, x: f64, y: f64) -> f64 {
+    if projection.margin(x, y) < 0.0 {
+        return f64::INFINITY;
+    }
+    if let Some(squared) = projection.squared_in_camera_space(x, y) {
+        return squared;
+    }
     let ([ax, bx], [ay, by]) = (projection.gradient_x, projection.gradient_y);
     let [alpha, beta] = projection.slant;
     let delta = ax * by - bx * ay;
@@ -120,26 +136,31 @@ fn squared_distance_on_splat(projection: &Projection, x: f64, y: f64) -> f64 {
 fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
     let [alpha, beta] = projection.slant;
     let e = projection.eye_clearance();
-    let bounds = if projection.crosses_eye_plane() {
+    let bounds = if projection.crosses_eye_plane() || projection.is_center_before_near() {
         Bounds::viewport(rendering)
     } else {
         let filter = rendering.filter_radius_px.unwrap_or(0.0);
         let extent = |center: f64, [a, b]: [f64; 2]| {
             let middle = -(a * alpha + b * beta) / e;
             let half = (middle * middle + (a * a + b * b) / e).sqrt();
-            (center + (middle - half).min(-filter), center + (middle + half).max(filter))
+            let low = if projection.is_centered { (middle - half).min(-filter) } else { middle - half };
+            let high = if projection.is_centered { (middle + half).max(filter) } else { middle + half };
+            (center + low, center + high)
         };
         let (low_x, high_x) = extent(projection.center[0], projection.gradient_x);
         let (low_y, high_y) = extent(projection.center[1], projection.gradient_y);
         Bounds::of_samples([low_x, low_y], [high_x, high_y], rendering)?
     };
-    Ok((bounds, Shape::Backward { projection: *projection, filter_radius_px: rendering.filter_radius_px }))
+    Ok((bounds, Shape::Backward { projection: Box::new(*projection), filter_radius_px: rendering.filter_radius_px }))
 }
 
 /// `A_x … B_y` form the Jacobian `J` of eq. 3.15 at the center. A screen filter of weight `exp(−γ·dist²/radius²)` has
 /// in units of `1/(2γ)` the variance `radius²·I`, the kernel has `J·Jᵀ`, and their convolution the sum `V`
 /// (eq. 3.19): `ρ² = x'ᵀ·V⁻¹·x'`, with an amplitude of `sqrt(|J·Jᵀ| / |V|)` that keeps the kernel's volume.
 fn forward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
+    if !projection.is_centered {
+        return Err(Culled::OutsideDepth);
+    }
     let ([ax, bx], [ay, by]) = (projection.gradient_x, projection.gradient_y);
     let filter_variance = rendering.filter_radius_px.unwrap_or(0.0).powi(2);
     let (vxx, vxy, vyy) = (ax * ax + bx * bx + filter_variance, ax * ay + bx * by, ay * ay + by * by + filter_variance);

@@ -45,7 +45,7 @@ pub struct Statistics {
     pub splats: usize,
     /// Splats culled since they face away from the eye.
     pub back_facing: usize,
-    /// Splats culled since their center lies before the near or behind the far plane.
+    /// Splats culled since all of them lies before the near or behind the far plane.
     pub outside_depth: usize,
     /// Splats culled since no pixel's sample lies in their bounds.
     pub outside_viewport: usize,
@@ -110,7 +110,7 @@ pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping:
                         samples += 1;
                         let pixel = &mut band[(row - first_row) * rendering.width + column];
                         let squared_distance = footprint.squared_distance(column, row);
-                        pixel.margins.note_edge(squared_distance);
+                        pixel.margins.note_edge(footprint.edge(column, row, squared_distance));
                         if let Some(weight) = footprint.weight_at(squared_distance) {
                             inside += 1;
                             let depth = footprint.depth(projection, rendering, column, row);

@@ -22,7 +22,10 @@
 //! A splat that crosses the eye plane has no such bounds: it may cover any pixel and reaches from the near plane
 //! backwards, so its bounds are the viewport. Where the depth range begins before the near plane its middle says nothing
 //! about what is seen: such a splat's depth is its center's, and its half depth range is that of a splat with `m/e = 1`, but
-//! no more than 1, since depths lie in `0..=1`.
+//! no more than 1, since depths lie in `0..=1`; with a center before the near plane these are 0 and 1.
+//!
+//! Near and far plane cut a splat sample by sample. A center before the near plane is no origin for what lies beyond: such a splat
+//! meets viewing rays in camera space, by Cramer's rule.
 
 use super::sampling;
 use glam::DVec3;
@@ -40,7 +43,7 @@ const HALF_DEPTH_MAX: f64 = 1.0;
 pub enum Culled {
     /// The eye is behind the splat's plane: `⟨u, a1 × a2⟩ > 0`.
     BackFacing,
-    /// The center lies before the near plane or behind the far plane.
+    /// All of it lies before the near plane or behind the far plane.
     OutsideDepth,
     /// The bounds hold no sample.
     OutsideViewport,
@@ -79,7 +82,7 @@ impl Bounds {
 /// A splat after transformation and setup.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
-    /// The projected center `c`, px.
+    /// The origin `c`, px: the projected center, or where the camera's axis is if the center lies before the near plane.
     pub center: [f64; 2],
     /// `(A_x, B_x)`, px.
     pub gradient_x: [f64; 2],
@@ -97,13 +100,42 @@ pub struct Projection {
     depth_scale: f64,
     /// The splat's depth range; the whole of it where the splat begins before the near plane.
     depth_range: [f64; 2],
+    /// Whether all of it lies beyond the near plane, and before the far one.
+    is_within: [bool; 2],
+    /// The center lies between both.
+    pub is_centered: bool,
+    /// What meets viewing rays, of a splat whose center lies before the near plane.
+    plane: Option<Plane>,
+}
+
+/// A splat in camera space as viewing rays meet it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Plane {
+    /// The camera's scale, and its depths.
+    scale: [f64; 2],
+    depth: [f64; 2],
+    /// `a1 × a2`, `a2 × u`, `u × a1`.
+    forms: [DVec3; 3],
+    /// `⟨u, a1 × a2⟩`.
+    volume: f64,
+}
+
+impl Plane {
+    /// Of the ray through `(x, y)` px from the axis, `ρ²` and depth.
+    fn hit(&self, x: f64, y: f64) -> (f64, f64) {
+        let [x, y] = [x / self.scale[0], y / self.scale[1]];
+        let [of_u, of_a1, of_a2] = self.forms.map(|form| form.dot(DVec3::new(x, y, 1.0)));
+        let inverse = of_u / self.volume;
+        let squared = (of_a1 * of_a1 + of_a2 * of_a2) / (of_u * of_u);
+        (if inverse > 0.0 { squared } else { f64::INFINITY }, self.depth[0] + self.depth[1] * inverse)
+    }
 }
 
 impl Projection {
     /// Transforms a splat into camera space, culls it and sets it up.
     ///
     /// # Errors
-    /// The splat faces away from the eye or its center lies outside the depth range.
+    /// The splat faces away from the eye or lies outside the depth range.
     pub fn new(splat: &Splat, camera: &Camera) -> Result<Self, Culled> {
         let rotate = |v: DVec3| DVec3::from_array(camera.model_view.map(|row| DVec3::from_slice(&row).dot(v)));
         let translation = DVec3::from_array(camera.model_view.map(|row| row[3]));
@@ -115,7 +147,11 @@ impl Projection {
         }
         let r = 1.0 / u.z;
         let center_depth = camera.depth_a + camera.depth_b * r;
-        if u.z <= camera.near || !(0.0..=1.0).contains(&center_depth) {
+        let reach = a1.z.hypot(a2.z);
+        let is_beyond_near = u.z > camera.near;
+        let is_centered = is_beyond_near && (0.0..=1.0).contains(&center_depth);
+        let begins_behind_far = u.z > reach && camera.depth_a + camera.depth_b / (u.z - reach) > 1.0;
+        if u.z + reach <= camera.near || (begins_behind_far && !is_centered) {
             return Err(Culled::OutsideDepth);
         }
 
@@ -128,11 +164,25 @@ impl Projection {
         let depth_scale = camera.depth_b * r;
         let range = (center_depth + depth_scale * squared_slant / e, depth_scale.abs() * squared_slant.sqrt() / e);
         let beyond_near = e > CROSSING_CLEARANCE && range.0 - range.1 >= 0.0;
-        let (depth, half_depth) =
-            if beyond_near { range } else { (center_depth, depth_scale.abs().min(HALF_DEPTH_MAX)) };
+        let before_far = e > CROSSING_CLEARANCE && range.0 + range.1 <= 1.0;
+        let (depth, half_depth) = match (beyond_near, is_beyond_near) {
+            (true, _) => range,
+            (_, true) => (center_depth, depth_scale.abs().min(HALF_DEPTH_MAX)),
+            _ => (0.0, HALF_DEPTH_MAX),
+        };
+        let plane = Plane {
+            scale: [camera.scale_x, camera.scale_y],
+            depth: [camera.depth_a, camera.depth_b],
+            forms: [a1.cross(a2), a2.cross(u), u.cross(a1)],
+            volume: u.dot(a1.cross(a2)),
+        };
         let depth_range = if beyond_near { [depth - half_depth, depth + half_depth] } else { [0.0, 1.0] };
         Ok(Self {
-            center: [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y],
+            center: if is_beyond_near {
+                [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y]
+            } else {
+                [camera.center_x, camera.center_y]
+            },
             gradient_x: gradient(camera.scale_x, vx, a1.x, a2.x),
             gradient_y: gradient(camera.scale_y, vy, a1.y, a2.y),
             slant: [alpha, beta],
@@ -141,6 +191,9 @@ impl Projection {
             center_depth,
             depth_scale,
             depth_range,
+            is_within: [beyond_near, before_far],
+            is_centered,
+            plane: (!is_beyond_near).then_some(plane),
         })
     }
 
@@ -148,11 +201,37 @@ impl Projection {
     /// linear on the screen. A splat seen edge-on has its center's.
     #[must_use]
     pub(super) fn plane_depth(&self, x: f64, y: f64) -> f64 {
+        let [near, far] = self.depth_range;
+        self.unlimited_depth(x, y).max(near).min(far)
+    }
+
+    /// The same beyond the range, too.
+    fn unlimited_depth(&self, x: f64, y: f64) -> f64 {
+        if let Some(plane) = &self.plane {
+            return plane.hit(x, y).1;
+        }
         let ([ax, bx], [ay, by], [alpha, beta]) = (self.gradient_x, self.gradient_y, self.slant);
         let delta = ax * by - bx * ay;
         let slope = (x * (beta * ay - alpha * by) + y * (alpha * bx - beta * ax)) / delta;
-        let [near, far] = self.depth_range;
-        (self.center_depth + self.depth_scale * if delta == 0.0 { 0.0 } else { slope }).max(near).min(far)
+        self.center_depth + self.depth_scale * if delta == 0.0 { 0.0 } else { slope }
+    }
+
+    /// How far the splat's plane lies from a limit where the viewing ray through `c + (x, y)` meets it in depth; positive between near and far plane, infinite where no part of the splat lies beyond.
+    pub(super) fn margin(&self, x: f64, y: f64) -> f64 {
+        let depth = self.unlimited_depth(x, y);
+        let [beyond_near, before_far] = self.is_within;
+        let near = if beyond_near { f64::INFINITY } else { depth };
+        near.min(if before_far { f64::INFINITY } else { 1.0 - depth })
+    }
+
+    /// `ρ²` where the viewing ray through `c + (x, y)` meets a splat whose center lies before the near plane.
+    pub(super) fn squared_in_camera_space(&self, x: f64, y: f64) -> Option<f64> {
+        self.plane.as_ref().map(|plane| plane.hit(x, y).0)
+    }
+
+    /// Whether the center lies before the near plane: the origin is another, and there are no bounds.
+    pub(super) fn is_center_before_near(&self) -> bool {
+        self.plane.is_some()
     }
 
     /// `e`: positive if the splat lies wholly in front of the eye plane.

@@ -54,8 +54,9 @@ fn random_splats(count: usize) -> Vec<Splat> {
         let size = 2_f32.powf(uniform(-6.0, 2.5));
         let mut vector = || [uniform(-1.0, 1.0) * size, uniform(-1.0, 1.0) * size, uniform(-1.0, 1.0) * size];
         let tangents = [vector(), vector()];
-        let z = uniform(0.5, 12.0);
-        let mut splat = splat([uniform(-0.8, 0.8) * z, uniform(-0.8, 0.8) * z, z], tangents);
+        let z = uniform(-1.5, 12.0);
+        let spread = 0.8 * z.abs().max(0.5);
+        let mut splat = splat([uniform(-1.0, 1.0) * spread, uniform(-1.0, 1.0) * spread, z], tangents);
         splat.attributes = splat.attributes.map(|_| uniform(0.0, 1.0));
         splat.material = uniform(0.0, 5.0) as u16;
         splat
@@ -63,7 +64,7 @@ fn random_splats(count: usize) -> Vec<Splat> {
     splats.collect()
 }
 
-/// `ρ²` at pixel `(column, row)` by intersecting the viewing ray with the splat's plane in camera space.
+/// `ρ²` at pixel `(column, row)` by intersecting the viewing ray with the splat's plane in camera space, between near and far plane.
 fn ray_cast(splat: &Splat, column: usize, row: usize) -> Option<f64> {
     let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let ray = DVec3::new(
@@ -77,7 +78,8 @@ fn ray_cast(splat: &Splat, column: usize, row: usize) -> Option<f64> {
     let offset = distance * ray - u;
     // `a2 × n` is orthogonal to a2 and n, so it singles out the coordinate along a1, and likewise for a2.
     let (s, t) = (offset.dot(a2.cross(n)) / a1.dot(a2.cross(n)), offset.dot(a1.cross(n)) / a2.dot(a1.cross(n)));
-    (distance > 0.0).then_some(s * s + t * t)
+    let far = CAMERA.depth_b / (1.0 - CAMERA.depth_a);
+    (distance > CAMERA.near * (1.0 + 1e-9) && distance < far * (1.0 - 1e-9)).then_some(s * s + t * t)
 }
 
 #[test]

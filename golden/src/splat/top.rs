@@ -106,6 +106,7 @@ impl Top {
             out_ready: splitter.in_ready,
             viewport: uniforms.viewport,
             epsilon: uniforms.epsilon,
+            near_plane: uniforms.near_plane,
             filter_radius: uniforms.filter_radius,
         });
         self.splitter.clock(&splitter::In { input: setup.out, out_ready: reorder.in_ready });

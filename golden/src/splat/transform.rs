@@ -1,7 +1,7 @@
 //! Transform unit: model-view transformation (thesis 5.4.1, table 5.1).
 //!
-//! A datapath of interval `transform_interval`, in the geometry format. Splats whose centre is not beyond the near plane are
-//! dropped. Attributes become finite.
+//! A datapath of interval `transform_interval`, in the geometry format. Splats that do not reach beyond the near plane are dropped, without
+//! the part for the eye plane all whose centre does not lie beyond it. Attributes become finite.
 
 use super::attribute::Arithmetic;
 use super::uniforms::TransformUniforms;
@@ -9,15 +9,16 @@ use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::Model;
 use pointcore_contract::Format;
-use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Attributes, Splat};
 pub use pointcore_contract::splat::units::transform::{In, Out};
+use pointcore_contract::splat::{Config, Feature};
 
 /// The transform unit.
 #[derive(Clone, Debug)]
 pub struct Transform {
     continuous: usize,
     geometry: Format,
+    eye_plane: Feature,
     attribute: Arithmetic,
     datapath: Datapath<Splat>,
 }
@@ -29,12 +30,13 @@ impl Transform {
         Self {
             continuous: config.continuous as usize,
             geometry: config.geometry,
+            eye_plane: config.eye_plane,
             attribute: Arithmetic(config.attribute),
             datapath: Datapath::new(latency, config.transform_interval),
         }
     }
 
-    /// The splat in camera space; `None` if its centre is not beyond the near plane.
+    /// The splat in camera space; `None` if it does not reach beyond the near plane.
     #[must_use]
     pub fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
         if splat.end {
@@ -47,7 +49,11 @@ impl Transform {
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
         let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
 
-        number(uniforms.near_plane).is_below(center[2]).then(|| Splat {
+        let near = number(uniforms.near_plane);
+        // More than both tangents together bring it forward, and exact: none is dropped for a rounding.
+        let reach = a1[2].abs().max(a2[2].abs()).raised(1);
+        let reaches_beyond = self.eye_plane.is_on() && near.is_below(center[2] + reach);
+        (near.is_below(center[2]) || reaches_beyond).then(|| Splat {
             center: center.map(Number::bits),
             tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
             attributes: self.finite(splat.attributes),
@@ -100,6 +106,13 @@ mod tests {
         assert_eq!(moved.center.map(f32::from_bits), [-2.0, 1.0, 8.0]);
         assert_eq!(moved.tangents.map(|tangent| tangent.map(f32::from_bits)), [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
         assert_eq!(unit.transform(&splat(-2.0), &uniforms), None, "at the near plane");
+        let leaning = |z: f32| Splat { tangents: [tangents[0], [1.0, 0.0, 3.0].map(bits)], ..splat(z) };
+        let (is_on, is_off) = (unit, Transform::new(&Config { eye_plane: Feature::Off, ..Config::default() }, 1));
+        for (z, reaches) in [(-7.9, true), (-8.0, false)] {
+            assert_eq!(is_on.transform(&leaning(z), &uniforms).is_some(), reaches, "twice its reach is 6: {z}");
+            assert_eq!(is_off.transform(&leaning(z), &uniforms), None);
+        }
+        let unit = is_on;
         assert_eq!(unit.transform(&splat(f32::NAN), &uniforms), None, "is nowhere");
     }
 

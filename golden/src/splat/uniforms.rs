@@ -20,6 +20,8 @@ pub struct SetupUniforms {
     pub viewport: Viewport,
     /// What ε is made of.
     pub epsilon: EpsilonScale,
+    /// Near plane.
+    pub near_plane: u32,
     /// Radius of the screen filter (px).
     pub filter_radius: u32,
 }

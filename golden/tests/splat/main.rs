@@ -207,7 +207,7 @@ fn a_rasterizer_in_fixed_point_agrees_with_the_reference() {
     let mut random = Rng::with_seed(first_seed());
     let (surface, all_kinds) = (sphere(2000, &mut random), chaos(2000, &mut random));
     for ((name, coefficient), [surface_db, all_kinds_db]) in
-        Coefficient::NAMED.into_iter().zip([[115.0, 82.0], [105.0, 75.0]])
+        Coefficient::NAMED.into_iter().zip([[115.0, 82.0], [105.0, 72.0]])
     {
         for screen_filter in [Feature::On, Feature::Off] {
             let filter_radius_px = screen_filter.is_on().then_some(Rendering::DEFAULT_FILTER_RADIUS_PX);

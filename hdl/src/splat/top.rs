@@ -79,6 +79,9 @@ fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &
     units::transform::PORTS.near_plane.feed_word(m, transform, uniforms.near_plane);
     units::setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
     units::setup::PORTS.epsilon.feed(m, config, setup, uniforms.epsilon);
+    if config.eye_plane.is_on() {
+        units::setup::PORTS.near_plane.feed_word(m, setup, uniforms.near_plane);
+    }
     if config.screen_filter.is_on() {
         units::setup::PORTS.filter_radius.feed_word(m, setup, uniforms.filter_radius);
         units::rasterizer::PORTS.filter_scale.feed_word(m, rasterizer, uniforms.filter_scale);

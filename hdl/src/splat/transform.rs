@@ -30,7 +30,13 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let [[v1_x, v1_y, v1_z], [v2_x, v2_y, v2_z]] = tangents;
     let [u_x, u_y, u_z] = center;
     name!(u_x, u_y, u_z, v1_x, v1_y, v1_z, v2_x, v2_y, v2_z);
-    program.keep_if(splat.end | near.lt(center[2]));
+    let mut visible = near.lt(center[2]);
+    if config.eye_plane.is_on() {
+        // Twice the longer one is more than both tangents together, and exact.
+        let longer = v1_z.abs().max(v2_z.abs());
+        visible = visible | near.lt(u_z + twice(&program, format, longer));
+    }
+    program.keep_if(splat.end | visible);
 
     let mut attributes = splat.attributes;
     if let AttributeFormat::Float(format) = config.attribute {
@@ -39,6 +45,19 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     }
     Splat { end: splat.end, center, tangents, attributes }.outputs(&program, config);
     datapath::unit(&units::transform::UNIT, config, &program, &options.with_interval(config.transform_interval))
+}
+
+/// Twice a magnitude, by its exponent: zero of a subnormal one.
+fn twice(program: &Program, format: Format, magnitude: Value) -> Value {
+    let (bits, mantissa) = (format.exponent, format.mantissa);
+    let exponent = magnitude.bits(bits + mantissa - 1, mantissa);
+    let fraction = magnitude.bits(mantissa - 1, 0);
+    let is = |value: u64| exponent.eq(program.lit(bits, value));
+    let largest = format.exponent_max();
+    let raised = is(largest).mux(exponent, exponent + program.lit(bits, 1));
+    let fraction = is(largest - 1).mux(program.lit(mantissa, 0), fraction);
+    let double = program.lit(1, 0).cat(raised).cat(fraction);
+    is(0).mux(program.lit(format.width(), 0), double).reinterpret(Type::Float(format))
 }
 
 /// A number as it is, the largest of its sign instead of an infinity, zero instead of a NaN.

@@ -8,7 +8,7 @@
 //! `3uS` and `D` by at most `6uS + 4u|Δ|`. A sample that the hardware takes for one behind the eye has a `D` of the other sign than `Δ`, or one
 //! within its rounding of zero; then `|s| ≥ (|Δ| + |D|)/√q` less rounding, and since `q < 1 − clearance` its `ρ² = |s|²/D²` comes out at 1 or
 //! more unless `|Δ|` is within `10u(S + |Δ|)` of zero. At 1 and more a sample is outside, as it is at infinity. The few splats whose `Δ`
-//! is so small are sampled.
+//! is so small are sampled, and those of which near or far plane may cut something.
 //!
 //! **Screen filter.** `|s| ≤ σ_max·dist`, `D ≥ Δ − √q|s|` and `Δ = σ_min·σ_max` of the projection's Jacobian, so that
 //! `ρ ≤ dist/(σ_min − √q·dist)`, which is below the filter's `dist/radius` within the radius if `σ_min ≥ radius(1 + √q)`. The margin is for
@@ -22,7 +22,7 @@ use crate::scene::Scene;
 use crate::uniforms::uniforms;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::Uniforms;
-use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Splat as Record};
+use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Sight, Splat as Record};
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
@@ -47,7 +47,7 @@ pub(super) struct Demand {
     pub back_facing: usize,
     /// Splats of whose samples or bounds the screen filter may decide one.
     pub filtered: usize,
-    /// Splats that reach the eye plane, or with samples of which only the side of the eye says that they are outside.
+    /// Splats that reach near, far or eye plane, or with samples of which only that says that they are outside.
     pub crossing: usize,
     /// The first of them.
     pub first_crossing: Option<usize>,
@@ -131,6 +131,7 @@ struct Units<'a> {
     transform: Transform,
     setup: Setup,
     without_culling: Setup,
+    without_planes: (Transform, Setup),
     without_filter: Setup,
     rasterizer: Rasterizer,
     without_side: Rasterizer,
@@ -141,14 +142,16 @@ impl<'a> Units<'a> {
     fn new(scene: &Scene, config: &'a Config) -> Self {
         let registers = uniforms(&scene.camera, &scene.rendering, config);
         let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, filter_scale } = registers;
+        let without_planes = Config { eye_plane: Feature::Off, ..config.clone() };
         Self {
             config,
             transform_uniforms: TransformUniforms { model_view, near_plane },
-            setup_uniforms: SetupUniforms { viewport, epsilon, filter_radius },
+            setup_uniforms: SetupUniforms { viewport, epsilon, near_plane, filter_radius },
             filter_scale,
             transform: Transform::new(config, 1),
             setup: Setup::new(config, 1),
             without_culling: Setup::new(&Config { culling: Feature::Off, ..config.clone() }, 1),
+            without_planes: (Transform::new(&without_planes, 1), Setup::new(&without_planes, 1)),
             without_filter: Setup::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
             rasterizer: Rasterizer::new(config, 1),
             without_side: Rasterizer::new(&Config { eye_plane: Feature::Off, ..config.clone() }, 1),
@@ -166,16 +169,24 @@ impl<'a> Units<'a> {
         let Some(splat) = self.transform.transform(&record, &self.transform_uniforms) else { return Demand::default() };
         let Some(drawn) = self.setup.setup(&splat, &self.setup_uniforms) else {
             let is_culled = self.without_culling.setup(&splat, &self.setup_uniforms).is_some();
-            return Demand { back_facing: is_culled.into(), ..Demand::default() };
+            // What nothing is seen of has bounds all the same where that is not asked.
+            let is_crossing = self.lacks(&record, None);
+            return Demand {
+                back_facing: is_culled.into(),
+                crossing: is_crossing.into(),
+                first_crossing: is_crossing.then_some(index),
+                ..Demand::default()
+            };
         };
-        let slant = self.setup.slant_of(&splat);
+        let slant = self.setup.slant_of(&splat, &self.setup_uniforms);
+        let footprint = Footprint { sight: Sight { disc: false, ..drawn.footprint.sight }, ..drawn.footprint };
         let covers_filter = self.covers_filter(&drawn, &slant)
-            && self.without_filter.setup(&splat, &self.setup_uniforms) == Some(drawn);
+            && self.without_filter.setup(&splat, &self.setup_uniforms) == Some(SetupSplat { footprint, ..drawn });
         let ImageRectangle { left, right, top, bottom } = drawn.bounds;
         let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
         let tiles = [[left, right], [top, bottom]].map(|range| range.map(tile));
         let [columns, rows] = tiles.map(|[first, last]| (last - first + 1) as usize);
-        let is_crossing = !slant.is_whole || self.needs_side(&drawn);
+        let is_crossing = !slant.is_whole || self.lacks(&record, Some(&drawn)) || self.needs_side(&drawn);
         Demand {
             back_facing: 0,
             filtered: (!covers_filter).into(),
@@ -187,6 +198,15 @@ impl<'a> Units<'a> {
         }
     }
 
+    /// Whether setup makes another splat of it, or one or none where it should not, without the part for near, far and eye plane.
+    fn lacks(&self, record: &Record, drawn: Option<&SetupSplat>) -> bool {
+        let (transform, setup) = &self.without_planes;
+        let splat = transform.transform(record, &self.transform_uniforms);
+        let without = splat.and_then(|splat| setup.setup(&splat, &self.setup_uniforms));
+        let blind = |drawn: &SetupSplat| Footprint { sight: Sight::default(), ..drawn.footprint };
+        without != drawn.map(|drawn| SetupSplat { footprint: blind(drawn), ..*drawn })
+    }
+
     /// Whether the side of the eye may decide of a sample of a whole splat.
     fn needs_side(&self, drawn: &SetupSplat) -> bool {
         let RasterFormat::Float(format) = self.config.raster_format() else {
@@ -195,6 +215,10 @@ impl<'a> Units<'a> {
         let Footprint { center, ax, bx, ay, by, delta, .. } = drawn.footprint;
         let value = |bits| value(format, bits);
         let delta = value(delta).abs();
+        let Sight { near, far, .. } = drawn.footprint.sight;
+        if far != 0 || near.count_ones() < self.config.raster_format().limit_width() {
+            return self.differs(drawn, &self.without_side);
+        }
         // A splat seen edge-on: every distance is NaN, on whichever side.
         if delta.is_nan() {
             return false;
@@ -243,6 +267,9 @@ impl<'a> Units<'a> {
         }
         let radius = f64::from(decode(self.config.geometry, self.setup_uniforms.filter_radius));
         let [ax, bx, ay, by] = [footprint.ax, footprint.bx, footprint.ay, footprint.by].map(value);
+        // Of all coefficients setup has taken one power of two, which `Δ` has once and the product of tangents twice.
+        let taken = ((ax * by - bx * ay) / value(footprint.delta)).abs().log2().round().exp2();
+        let [ax, bx, ay, by] = [ax, bx, ay, by].map(|length| length / taken);
         let (sum, difference) = ((ax + by).hypot(ay - bx), (ax - by).hypot(ay + bx));
         let (smallest, largest) = ((sum - difference).abs() / 2.0, (sum + difference) / 2.0);
         let steepness = f64::from(slant.alpha.value()).hypot(slant.beta.value().into());

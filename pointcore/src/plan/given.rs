@@ -116,7 +116,7 @@ pub(super) fn conflict(scene: &Scene, config: &Config, demand: &Demand) -> Optio
     if let Some(effect) = off(Effect::EyePlane, config.eye_plane, demand.crossing) {
         let first = demand.first_crossing.unwrap_or_default();
         let reason = format!(
-            "{} splats of the scene reach the eye plane, or might have a sample taken from behind it, splat {first} first",
+            "{} splats of the scene reach the near, far or eye plane, or might have a sample taken from beyond, splat {first} first",
             demand.crossing
         );
         return found(effect, "off", reason, "");

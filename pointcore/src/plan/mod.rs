@@ -165,7 +165,7 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
             Effect::EyePlane,
             on_off(config.eye_plane),
             format!(
-                "{crossing} of {drawn} drawn splats reach the eye plane, or might have a sample taken from behind it"
+                "{crossing} of {drawn} drawn splats reach the near, far or eye plane, or might have a sample taken from beyond"
             ),
         ),
         of(Effect::Continuous, continuous.to_string(), attributes),

@@ -33,7 +33,7 @@ impl Fates {
     pub fn of(config: &Config, frame: &EncodedFrame) -> Self {
         let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = frame.uniforms;
         let transform_uniforms = TransformUniforms { model_view, near_plane };
-        let setup_uniforms = SetupUniforms { viewport, epsilon, filter_radius };
+        let setup_uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
         let (transform, setup) = (Transform::new(config, 1), Setup::new(config, 1));
         let fate = |splat: &Splat| {
             let Some(placed) = transform.transform(splat, &transform_uniforms) else {
@@ -41,6 +41,7 @@ impl Fates {
             };
             match setup.outcome(&placed, &setup_uniforms) {
                 Ok(drawn) => Self { drawn: 1, copies: tiles(drawn.bounds), ..Self::default() },
+                Err(Dropped::Near) => Self { near: 1, ..Self::default() },
                 Err(Dropped::Far) => Self { far: 1, ..Self::default() },
                 Err(Dropped::Beside) => Self { beside: 1, ..Self::default() },
                 Err(Dropped::Facing) => Self { facing: 1, ..Self::default() },

@@ -138,8 +138,8 @@ pub fn camera(config: &Config, count: usize) -> Vec<Splat> {
 
 /// Splats with their footprints.
 pub fn footprints(config: &Config, count: usize) -> Vec<SetupSplat> {
-    let Uniforms { viewport, epsilon, filter_radius, .. } = registers(config);
-    let see = |input| setup::In { input, out_ready: true, viewport, epsilon, filter_radius };
+    let Uniforms { viewport, epsilon, near_plane, filter_radius, .. } = registers(config);
+    let see = |input| setup::In { input, out_ready: true, viewport, epsilon, near_plane, filter_radius };
     through(Setup::new(config, 1), &camera(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 

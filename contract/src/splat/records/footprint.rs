@@ -42,6 +42,29 @@ pub struct DepthPlane {
     pub epsilon: u32,
 }
 
+/// Which samples of a splat are seen, by `D`, which is `u_z·Δ` over a sample's distance.
+#[record(config: Config)]
+pub struct Sight {
+    /// `D` is negative before the eye.
+    #[name("sight_negative")]
+    pub negative: bool,
+    /// The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    #[name("sight_near")]
+    #[bits(config.raster_format().limit_width())]
+    pub near: u32,
+    /// The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    #[name("sight_far")]
+    #[bits(config.raster_format().limit_width())]
+    pub far: u32,
+    /// The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    #[name("sight_turned")]
+    pub turned: bool,
+    /// The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
+    #[when(config.screen_filter.is_on())]
+    #[name("sight_disc")]
+    pub disc: bool,
+}
+
 /// What the rasterizer needs of a splat, recentred at its projected centre.
 #[record(config: Config)]
 pub struct Footprint {
@@ -74,6 +97,9 @@ pub struct Footprint {
     #[when(config.raster_format().fixed().is_some())]
     #[bits(Coefficient::SHIFT_BITS)]
     pub shift: u8,
+    /// What is seen of it, where that is asked sample by sample.
+    #[when(config.eye_plane.is_on())]
+    pub sight: Sight,
     /// Depth band, where all samples share it.
     #[when(!config.has_depth_plane())]
     pub band: Band,

@@ -11,7 +11,7 @@ mod sample;
 mod uniforms;
 
 pub use copy::{HeapEntry, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileRectangle};
-pub use footprint::{Band, DepthPlane, Footprint};
+pub use footprint::{Band, DepthPlane, Footprint, Sight};
 pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
 pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, uniform_formats};

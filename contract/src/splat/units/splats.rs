@@ -34,6 +34,10 @@ pub struct Setup {
     /// What epsilon is made of.
     #[port("")]
     epsilon: Input<EpsilonScale>,
+    /// Near plane.
+    #[when(config.eye_plane.is_on())]
+    #[bits(config.geometry.width())]
+    near_plane: Input<u32>,
     /// Radius of the screen filter (px).
     #[when(config.screen_filter.is_on())]
     #[bits(config.geometry.width())]

@@ -4,6 +4,8 @@
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
 mod fixed_distance;
+#[cfg(test)]
+mod tests;
 
 use super::parts::division::squared_ratio;
 use crate::datapath::Datapath;
@@ -177,13 +179,20 @@ impl Rasterizer {
         let delta = number(footprint.delta);
 
         let determinant = delta + x * mx + y * my;
-        let is_behind = determinant.is_negative() != delta.is_negative();
-        let on_splat = if is_behind && self.eye_plane.is_on() {
-            number(self.format.infinity() as u32)
-        } else {
-            squared_ratio(self.division, [x * ay - y * ax, x * by - y * bx], determinant)
+        let along = [x * ay - y * ax, x * by - y * bx];
+        let sight = &footprint.sight;
+        let (across, determinant) = if sight.turned { (determinant, along[0]) } else { (along[0], determinant) };
+        let is_seen = !self.eye_plane.is_on() || {
+            let (near, far) = (sight.near, sight.far);
+            determinant.is_negative() == sight.negative && (far..=near).contains(&determinant.abs().bits())
         };
-        if self.has_screen_filter { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
+        let on_splat = if is_seen {
+            squared_ratio(self.division, [across, along[1]], determinant)
+        } else {
+            number(self.format.infinity() as u32)
+        };
+        let has_disc = self.has_screen_filter && (sight.disc || !self.eye_plane.is_on());
+        if has_disc { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
     }
 
     /// Where the sample of a column and a row lies, px.
@@ -246,81 +255,5 @@ impl Model for Rasterizer {
             .filter(|placed| !placed.copy.end)
             .map(|PlacedCopy { copy, .. }| (copy.footprint.band, copy.attributes));
         self.copies.step(copy, left.is_some_and(|(place, _)| place.last));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use pointcore_contract::FragmentDepth;
-    use pointcore_contract::splat::records::{SplatCopy, TileRectangle};
-
-    fn bits(number: f32) -> u32 {
-        number.to_bits()
-    }
-
-    /// A disc of 3 px radius that faces the eye, in tile (1, 1) of the default image, about the tile's fourth pixel's corner.
-    fn disc(slot: u8) -> PlacedCopy {
-        let footprint = Footprint {
-            center: [bits(12.0); 2],
-            ax: bits(3.0),
-            by: bits(3.0),
-            delta: bits(9.0),
-            band: Band { depth: u32::from(slot), low: 1, high: 2 },
-            ..Footprint::default()
-        };
-        let bounds = TileRectangle { left: 1, right: 6, top: 1, bottom: 6 };
-        PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
-    }
-
-    #[test]
-    fn a_sample_has_the_depth_of_its_plane_within_the_range() {
-        let unit = Rasterizer::new(&Config { depth: FragmentDepth::Plane, ..Config::default() }, 4);
-        let plane = DepthPlane {
-            center: bits(0.5),
-            slope: [bits(0.125), bits(-0.0625)],
-            range: [bits(0.25), bits(0.75)],
-            epsilon: bits(0.125),
-        };
-        let footprint = Footprint { center: [bits(4.5); 2], plane, ..Footprint::default() };
-        let depth_at = |column, row| {
-            let Band { depth, low, high } = unit.depth_band(&footprint, [column, row]);
-            [depth, low, high].map(|depth| f64::from(depth) / f64::from(1 << DEPTH_BITS))
-        };
-        assert_eq!(depth_at(4, 4), [0.5, 0.375, 0.625]);
-        assert_eq!(depth_at(5, 6), [0.5, 0.375, 0.625]);
-        assert_eq!(depth_at(5, 4), [0.625, 0.5, 0.75]);
-        assert_eq!(depth_at(7, 4), [0.75, 0.625, 0.875], "not beyond its far end");
-        assert_eq!(depth_at(0, 4), [0.25, 0.125, 0.375], "not before its near end");
-    }
-
-    #[test]
-    fn samples_cover_the_disc_and_the_last_closes_it() {
-        let mut unit = Rasterizer::new(&Config::default(), 4);
-        let mut copies = (0..4).map(disc).collect::<Vec<_>>().into_iter();
-        let mut input = copies.next();
-        let mut samples = Vec::new();
-        let mut evaluated = 0;
-        for _ in 0..4 * 36 + 12 {
-            let out = unit.outputs();
-            samples.extend(out.out);
-            evaluated += u32::from(out.events.sample);
-            unit.clock(&In { input, out_ready: true, filter_scale: bits(1.0) });
-            if out.in_ready {
-                input = copies.next();
-            }
-        }
-        assert_eq!(evaluated, 4 * 36, "a sample a cycle, without a gap between copies");
-        for (slot, samples) in (0..).zip(samples.chunk_by(|a, _| !a.place.last)) {
-            let (last, inside) = samples.split_last().expect("a chunk is not empty");
-            assert!(!last.place.inside && last.place.pixel == 6 * 8 + 6, "the corner lies outside");
-            assert_eq!(inside.len(), 32, "6 by 6 pixels without the corners");
-            for sample in inside {
-                let [x, y] = [sample.place.pixel % 8, sample.place.pixel / 8].map(|i| f64::from(i) - 3.5);
-                let weight = (-2.0 * (x * x + y * y) / 9.0).exp() * 65535.0;
-                assert!(sample.place.inside && (f64::from(sample.place.weight) - weight).abs() < 3.0);
-                assert_eq!((sample.place.slot, sample.band.depth), (slot, u32::from(slot)));
-            }
-        }
     }
 }

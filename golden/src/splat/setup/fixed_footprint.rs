@@ -5,6 +5,7 @@
 //! saturates. A coefficient that is no number, a centre thousands of pixels away, and a `Δ` that is rounding make all coefficients
 //! zero, so that no sample is covered.
 
+use super::sight::Limits;
 use crate::number::Number;
 use pointcore_contract::Fixed;
 use pointcore_contract::splat::Coefficient;
@@ -29,6 +30,8 @@ pub struct Projection {
     pub delta: Option<Number>,
     /// `m_x`, `m_y`.
     pub m: [Number; 2],
+    /// What of it is seen.
+    pub limits: Limits,
 }
 
 /// A footprint without its depth, for pixels in these columns and rows.
@@ -51,6 +54,7 @@ pub fn footprint(coefficient: Coefficient, projection: &Projection, pixels: [Ran
     let zeros = Footprint {
         center: center.map(|center| truncated(center, place.width)),
         shift: shift as u8,
+        sight: projection.limits.sight([0; 2]),
         ..Footprint::default()
     };
     let Some(delta) = projection.delta.filter(|_| is_placed) else { return zeros };
@@ -71,7 +75,13 @@ pub fn footprint(coefficient: Coefficient, projection: &Projection, pixels: [Ran
         return zeros;
     }
     let [[ax, ay], [bx, by], [mx, my]] = [a, b, m].map(|pair| pair.map(|length| truncated(length, width)));
-    Footprint { ax, bx, ay, by, delta: truncated(delta, delta_width), mx, my, ..zeros }
+    // In units of `Δ`, and as many bits with no sign.
+    let units =
+        |limit: Number| limit.abs().raised(HALF - exponent - longer).to_fixed(delta_width, delta_width - 1) as u32;
+    let [near, far] = projection.limits.planes;
+    let near = near.map_or(u32::MAX >> (u32::BITS - delta_width), units);
+    let sight = projection.limits.sight([near, far.map_or(0, units)]);
+    Footprint { ax, bx, ay, by, delta: truncated(delta, delta_width), mx, my, sight, ..zeros }
 }
 
 /// Bits that tell how far a number reaches: its own, or inverted ones if it is negative.

@@ -1,25 +1,34 @@
 //! Setup unit: projection, bounds and depth band of a splat (thesis tables 5.1 and 5.2, recentred as docs/splat.md derives).
 //!
 //! A datapath of interval `setup_interval`, in the geometry format; the footprint leaves it in the rasterizer's. Bounds are rounded
-//! outwards to pixels; a splat that crosses the eye plane has the viewport for bounds, unless that part is left out. Dropped are splats
-//! behind the far plane, splats without a pixel and, with culling, splats that face away. A splat seen edge-on has no `Δ` to speak of,
-//! and draws its screen filter's disc at most.
+//! outwards to pixels; those of a splat that crosses the eye plane hold its box as far as it lies before the eye. Dropped are splats
+//! without a part between near and far plane, splats without a pixel and, with culling, splats that face away. A splat seen edge-on has no
+//! `Δ` to speak of, and draws its screen filter's disc at most.
 
+mod bounds;
+mod depths;
 pub(super) mod fixed_footprint;
+mod origin;
+mod scaling;
+pub(super) mod sight;
 #[cfg(test)]
 mod tests;
 
-use super::parts::division::{recip, sqrt};
+use super::parts::division::recip;
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::Model;
+use bounds::{BOUND_BITS, EDGE_UNITS, Shadow};
+use depths::Depths;
 use fixed_footprint::Projection;
-use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::records::{Band, DepthPlane, Footprint, ImageRectangle, SetupSplat, Splat};
+use origin::{Extent, Origin};
+use pointcore_contract::splat::records::{DepthPlane, Footprint, ImageRectangle, SetupSplat, Sight, Splat};
 pub use pointcore_contract::splat::units::setup::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
 use pointcore_contract::{Format, Sampling};
+use scaling::Coefficients;
+use sight::Limits;
 use std::ops::Range;
 
 /// `e` up to this power of ½ counts as crossing the eye plane, in a format as precise as `f32`.
@@ -30,18 +39,8 @@ const COARSE_CLEARANCE_FRACTION_BITS: u32 = 5;
 const FINE_MANTISSA_BITS: u32 = 23;
 /// Bits of a difference's precision that its terms' own rounding takes: a `Δ` that has cancelled to that is none.
 const ROUNDING_BITS: u32 = 4;
-/// Bounds as fixed-point numbers: 13 integer bits hold every image edge.
-const BOUND_BITS: u32 = 21;
-/// Fraction bits of the bounds.
-const BOUND_FRACTION_BITS: u32 = 8;
-/// The largest bound in pixels before the conversion.
-const BOUND_MAX_PX: u64 = 8191;
-/// One of [`BOUND_FRACTION_BITS`].
-const PIXEL: u64 = 1 << BOUND_FRACTION_BITS;
-/// What bounds are wider by at either end, in units of [`BOUND_FRACTION_BITS`].
-const FIRST_MARGIN: u64 = 1;
-const LAST_MARGIN: u64 = 2;
-
+/// Bits of it that may make a wrong sign in a format as precise as `f32`: such a splat is not culled.
+const DOUBTFUL_BITS: u32 = 6;
 /// The setup unit.
 #[derive(Clone, Debug)]
 pub struct Setup {
@@ -59,7 +58,9 @@ pub struct Setup {
 /// Why a splat is dropped; of several reasons the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dropped {
-    /// It lies behind the far plane.
+    /// All of it lies before the near plane.
+    Near,
+    /// All of it lies behind the far plane.
     Far,
     /// No pixel of the image is within its bounds.
     Beside,
@@ -70,6 +71,10 @@ pub enum Dropped {
 /// How far a splat leans towards the eye: what the bounds of both axes and the depth share.
 #[derive(Clone, Copy, Debug)]
 pub struct Slant {
+    geometry: Format,
+    one: Number,
+    /// A tangent has taken the centre's place.
+    is_turned: bool,
     /// The first tangent's depth relative to the centre's.
     pub alpha: Number,
     /// The second tangent's.
@@ -121,42 +126,65 @@ impl Setup {
         if splat.end {
             return Ok(SetupSplat { end: true, ..SetupSplat::default() });
         }
-        let [ux, uy, uz] = splat.center.map(|bits| self.number(bits));
-        let [[a1x, a1y, _], [a2x, a2y, _]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
-        let [scale_x, scale_y] = uniforms.viewport.scale.map(|bits| self.number(bits));
-        let [origin_x, origin_y] = uniforms.viewport.origin.map(|bits| self.number(bits));
-
-        let r = recip(self.division, uz);
-        let (vx, vy) = (ux * r, uy * r);
-        let slant = self.slant(splat, r);
-        let (alpha, beta) = (slant.alpha, slant.beta);
-        let (ax, bx) = (scale_x * (a1x * r - vx * alpha), scale_x * (a2x * r - vx * beta));
-        let (ay, by) = (scale_y * (a1y * r - vy * alpha), scale_y * (a2y * r - vy * beta));
-        let (cx, cy) = (scale_x * vx + origin_x, scale_y * vy + origin_y);
-
-        let columns = self.bounds(0, cx, ax, bx, &slant, uniforms);
-        let rows = self.bounds(1, cy, ay, by, &slant, uniforms);
-        let depths = self.depths(r, &slant, uniforms).ok_or(Dropped::Far)?;
+        let number = |bits| self.number(bits);
+        let (scale, image_origin) = (uniforms.viewport.scale.map(number), uniforms.viewport.origin.map(number));
+        let origin = self.origin(splat, uniforms);
+        let extent = Extent::of(self.geometry, splat);
+        if self.eye_plane.is_on() && !origin.is_beyond_near && !number(uniforms.near_plane).is_below(extent.high(2)) {
+            return Err(Dropped::Near);
+        }
+        let (tangents, lowered) = self.lowered(&origin);
+        let [first, second] = tangents;
+        let r = recip(self.division, origin.center[2]);
+        let slant = self.slant(&origin, tangents, lowered, r);
+        let shadows = [0, 1].map(|axis| {
+            let v = origin.center[axis] * r;
+            let project = |tangent: [Number; 3], lean: Number| scale[axis] * (tangent[axis] * r - v * lean);
+            let center = scale[axis] * v + image_origin[axis];
+            Shadow { center, a: project(first, slant.alpha), b: project(second, slant.beta) }
+        });
+        let depths = Depths::new(self.division, r, &slant, origin.is_centered(), uniforms);
+        if !(depths.is_center_before_far || self.begins_before_far(&extent, uniforms)) {
+            return Err(Dropped::Far);
+        }
+        let has_disc = origin.is_centered() && depths.is_center_before_far;
+        let [columns, rows] = [0, 1].map(|axis| {
+            let ends = match slant.reciprocal {
+                Some(f) => shadows[axis].of_ellipse(self.division, &slant, f),
+                None => {
+                    let deepest = recip(self.division, extent.high(2));
+                    bounds::of_box(&extent, axis, deepest, [scale[axis], image_origin[axis]])
+                }
+            };
+            let ends = self.with_disc(ends, shadows[axis].center, has_disc, uniforms);
+            bounds::samples(self.geometry, self.sampling, axis, self.edges[axis], ends)
+        });
         if columns.is_empty() || rows.is_empty() {
             return Err(Dropped::Beside);
         }
-        let delta = ax * by - bx * ay;
-        let is_edge_on = self.is_cancelled(delta, ax * by);
-        if self.culling.is_on() && !is_edge_on && !is_front(delta, scale_x, scale_y) {
+        let (a, b) = (shadows.map(|shadow| shadow.a), shadows.map(|shadow| shadow.b));
+        let scaled = Coefficients::new(a, b, [slant.alpha, slant.beta], lowered, depths.scale);
+        let Coefficients { a, b, delta, m, unscaled, is_vanishing } = scaled;
+        let is_fine = self.geometry.mantissa >= FINE_MANTISSA_BITS;
+        let doubtful_bits = if is_fine { DOUBTFUL_BITS } else { ROUNDING_BITS };
+        let is_edge_on = is_vanishing || self.is_cancelled(unscaled, ROUNDING_BITS);
+        let is_doubtful = is_vanishing || self.is_cancelled(unscaled, doubtful_bits);
+        let is_negative = unscaled[0].is_negative() ^ (origin.is_turned && origin.center[2].is_negative());
+        let is_mirrored = scale[0].is_negative() ^ scale[1].is_negative() ^ origin.is_swapped;
+        if self.culling.is_on() && !is_doubtful && is_negative == is_mirrored {
             return Err(Dropped::Facing);
         }
-        let m = [beta * ay - alpha * by, alpha * bx - beta * ax];
-        let delta = (!is_edge_on).then_some(delta);
-        let projection = Projection { center: [cx, cy], a: [ax, ay], b: [bx, by], delta, m };
-        let footprint = match self.raster {
-            RasterFormat::Float(format) => self.footprint(format, &projection, &depths),
-            RasterFormat::Fixed(coefficient) => {
-                let per_pixel = u64::from(self.sampling.columns());
-                let columns = columns.start / per_pixel..columns.end / per_pixel;
-                let footprint = fixed_footprint::footprint(coefficient, &projection, [columns, rows.clone()]);
-                Footprint { band: depths.band(), ..footprint }
-            }
+        let limits = Limits {
+            is_negative,
+            planes: depths.limits(self.division, delta),
+            is_turned: origin.is_turned,
+            has_disc: has_disc && self.has_screen_filter,
         };
+        // `s1` comes in the place of `D`, with its sign.
+        let a = if origin.is_turned { a.map(Number::negated) } else { a };
+        let delta = (!is_edge_on).then_some(delta);
+        let projection = Projection { center: shadows.map(|shadow| shadow.center), a, b, delta, m, limits };
+        let footprint = self.footprint_of(&projection, &depths, [columns.clone(), rows.clone()]);
         let bounds = ImageRectangle {
             left: columns.start as u16,
             right: (columns.end - 1) as u16,
@@ -166,12 +194,63 @@ impl Setup {
         Ok(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
     }
 
+    fn origin(&self, splat: &Splat, uniforms: &SetupUniforms) -> Origin {
+        let near = self.eye_plane.is_on().then(|| self.number(uniforms.near_plane));
+        Origin::of(self.geometry, splat, near)
+    }
+
+    /// The origin's tangents, and by how many powers of two they have been made shorter.
+    fn lowered(&self, origin: &Origin) -> ([[Number; 3]; 2], i64) {
+        match self.eye_plane {
+            Feature::On => scaling::lowered(origin.center[2], origin.tangents),
+            Feature::Off => (origin.tangents, 0),
+        }
+    }
+
+    /// Whether the box of a splat begins before the far plane: `b/z ≤ 1 − a`, in whole terms.
+    fn begins_before_far(&self, extent: &Extent, uniforms: &SetupUniforms) -> bool {
+        let [base, scale] = [uniforms.viewport.depth_a, uniforms.viewport.depth_b].map(|bits| self.number(bits));
+        let nearest = (self.constant(1, 0) - base) * extent.low(2);
+        self.eye_plane.is_on() && scale.is_at_most(nearest.shrunk(EDGE_UNITS))
+    }
+
+    /// Bounds that hold the screen filter's disc, too.
+    fn with_disc(
+        &self,
+        [low, high]: [Number; 2],
+        center: Number,
+        has_disc: bool,
+        uniforms: &SetupUniforms,
+    ) -> [Number; 2] {
+        if !self.has_screen_filter || !has_disc {
+            return [low, high];
+        }
+        let radius = self.number(uniforms.filter_radius);
+        [low.min(center - radius), high.max(center + radius)]
+    }
+
+    /// The footprint in the rasterizer's format.
+    fn footprint_of(&self, projection: &Projection, depths: &Depths, [columns, rows]: [Range<u64>; 2]) -> Footprint {
+        let footprint = match self.raster {
+            RasterFormat::Float(format) => self.footprint(format, projection, depths),
+            RasterFormat::Fixed(coefficient) => {
+                let per_pixel = u64::from(self.sampling.columns());
+                let columns = columns.start / per_pixel..columns.end / per_pixel;
+                let footprint = fixed_footprint::footprint(coefficient, projection, [columns, rows]);
+                Footprint { band: depths.band(), ..footprint }
+            }
+        };
+        let sight = if self.eye_plane.is_on() { footprint.sight } else { Sight::default() };
+        Footprint { sight, ..footprint }
+    }
+
     /// The footprint in a floating-point format.
     fn footprint(&self, format: Format, projection: &Projection, depths: &Depths) -> Footprint {
         let coefficient =
             |value: Number| if format == self.geometry { value.bits() } else { value.convert(format).bits() };
-        let Projection { center, a, b, delta, m } = *projection;
-        let slope = depths.slope(self.division, delta, m);
+        let Projection { center, a, b, delta, m, limits } = *projection;
+        // What changes with a pixel is `D`, or `s1` in its place.
+        let slope = depths.slope(self.division, delta, if limits.is_turned { [a[1], a[0].negated()] } else { m });
         let plane = DepthPlane {
             center: coefficient(depths.center),
             slope: slope.map(coefficient),
@@ -188,118 +267,39 @@ impl Setup {
             mx: coefficient(m[0]),
             my: coefficient(m[1]),
             shift: 0,
+            sight: limits.floating(format),
             band: depths.band(),
             plane,
         }
     }
 
     /// Whether a difference is rounding alone, by the exponents of it and of its first term.
-    fn is_cancelled(&self, difference: Number, term: Number) -> bool {
-        let resolution = u64::from(self.geometry.mantissa + 1 - ROUNDING_BITS);
+    fn is_cancelled(&self, [difference, term]: [Number; 2], rounding_bits: u32) -> bool {
+        let resolution = u64::from(self.geometry.mantissa + 1 - rounding_bits);
         let exponent = difference.exponent_field();
         exponent == 0 || exponent + resolution < term.exponent_field()
     }
 
-    /// The slant of a splat in camera space, whose centre's reciprocal depth is `r`.
-    fn slant(&self, splat: &Splat, r: Number) -> Slant {
-        let [alpha, beta] = splat.tangents.map(|[.., z]| self.number(z) * r);
+    /// The slant of what is projected, whose centre's reciprocal depth is `r`.
+    fn slant(&self, origin: &Origin, tangents: [[Number; 3]; 2], lowered: i64, r: Number) -> Slant {
+        let one = self.constant(1, 0);
+        let [alpha, beta] = tangents.map(|[.., z]| z * r);
         let squared = alpha * alpha + beta * beta;
-        let e = self.constant(1, 0) - squared;
+        let e = one - squared;
         let is_fine = self.geometry.mantissa >= FINE_MANTISSA_BITS;
         let clearance = if is_fine { CLEARANCE_FRACTION_BITS } else { COARSE_CLEARANCE_FRACTION_BITS };
-        let is_whole = self.constant(1, clearance).is_below(e);
+        let is_whole = self.constant(1, clearance).is_below(e) && !origin.is_turned && lowered == 0;
         let reciprocal = (is_whole || !self.eye_plane.is_on()).then(|| recip(self.division, e));
-        Slant { alpha, beta, squared, is_whole, reciprocal }
+        Slant { geometry: self.geometry, one, is_turned: origin.is_turned, alpha, beta, squared, is_whole, reciprocal }
     }
 
     /// How far a splat in camera space leans towards the eye.
     #[must_use]
-    pub fn slant_of(&self, splat: &Splat) -> Slant {
-        self.slant(splat, recip(self.division, self.number(splat.center[2])))
+    pub fn slant_of(&self, splat: &Splat, uniforms: &SetupUniforms) -> Slant {
+        let origin = self.origin(splat, uniforms);
+        let (tangents, lowered) = self.lowered(&origin);
+        self.slant(&origin, tangents, lowered, recip(self.division, origin.center[2]))
     }
-
-    /// Rows or columns of samples that may lie inside the splat; all of a pixel's, or none.
-    fn bounds(
-        &self,
-        axis: usize,
-        c: Number,
-        a: Number,
-        b: Number,
-        slant: &Slant,
-        uniforms: &SetupUniforms,
-    ) -> Range<u64> {
-        let edge = self.edges[axis];
-        let Some(f) = slant.reciprocal else { return 0..edge };
-        let t = (a * slant.alpha + b * slant.beta) * f;
-        let h = sqrt(self.division, t * t + (a * a + b * b) * f);
-        let (mut low, mut high) = ((c - t) - h, (c - t) + h);
-        if self.has_screen_filter {
-            let radius = self.number(uniforms.filter_radius);
-            low = low.min(c - radius);
-            high = high.max(c + radius);
-        }
-        let zero = self.number(0);
-        let low = low.max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
-        let high = high.min(self.constant(BOUND_MAX_PX, 0)).max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
-        // From its corner, the nearest and farthest of a pixel's samples.
-        let (nearest, farthest) = match self.sampling {
-            Sampling::Center => (PIXEL / 2, PIXEL / 2),
-            Sampling::Flipquad => (0, PIXEL * 5 / 8),
-        };
-        let first = (low + (PIXEL - 1) - farthest - FIRST_MARGIN) / PIXEL;
-        let past = (high + PIXEL - nearest + LAST_MARGIN) / PIXEL;
-        let samples = [u64::from(self.sampling.columns()), 1][axis];
-        first * samples..(past * samples).min(edge)
-    }
-
-    /// Depth range and ε (eqs. 5.8, 5.9); `None` behind the far plane.
-    fn depths(&self, r: Number, slant: &Slant, uniforms: &SetupUniforms) -> Option<Depths> {
-        let (zero, one) = (self.number(0), self.constant(1, 0));
-        let scale = self.number(uniforms.viewport.depth_b) * r;
-        let center = self.number(uniforms.viewport.depth_a) + scale;
-        if !center.is_at_most(one) {
-            return None;
-        }
-        let reach = sqrt(self.division, slant.squared);
-        let range = slant.reciprocal.map(|f| (center + scale * (slant.squared * f), scale.abs() * (reach * f)));
-        let beyond_near = range.filter(|(depth, half)| zero.is_at_most(*depth - *half));
-        let (middle, half) = beyond_near.unwrap_or((center, scale.abs().min(one)));
-        let range = beyond_near.map_or([zero, one], |(depth, half)| [depth - half, depth + half]);
-        let epsilon = half * self.number(uniforms.epsilon.scale) + self.number(uniforms.epsilon.bias);
-        Some(Depths { zero, scale, center, middle, range, epsilon })
-    }
-}
-
-/// Depths of a splat.
-struct Depths {
-    zero: Number,
-    /// `b`: the depth is `depth_a + b·u_z/z`.
-    scale: Number,
-    center: Number,
-    middle: Number,
-    range: [Number; 2],
-    epsilon: Number,
-}
-
-impl Depths {
-    fn band(&self) -> Band {
-        let fixed = |depth: Number| depth.max(self.zero).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
-        let Self { middle, epsilon, .. } = *self;
-        Band { depth: fixed(middle), low: fixed(middle - epsilon), high: fixed(middle + epsilon) }
-    }
-
-    /// By the pixel over the plane, where `u_z/z = D/Δ`; level without a `Δ`.
-    fn slope(&self, division: Division, delta: Option<Number>, m: [Number; 2]) -> [Number; 2] {
-        delta.map_or([self.zero; 2], |delta| {
-            let scale = self.scale * recip(division, delta);
-            m.map(|m| scale * m)
-        })
-    }
-}
-
-/// Whether the eye sees the front: `Δ` has the sign of `⟨u, a1 × a2⟩`, unless the image is mirrored.
-fn is_front(delta: Number, scale_x: Number, scale_y: Number) -> bool {
-    delta.is_negative() ^ scale_x.is_negative() ^ scale_y.is_negative()
 }
 
 impl Model for Setup {
@@ -313,8 +313,8 @@ impl Model for Setup {
 
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
-        let In { viewport, epsilon, filter_radius, .. } = *inputs;
-        let uniforms = SetupUniforms { viewport, epsilon, filter_radius };
+        let In { viewport, epsilon, near_plane, filter_radius, .. } = *inputs;
+        let uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
         let accepted = accepted.and_then(|splat| self.setup(splat, &uniforms));
         self.datapath.step(accepted, inputs.out_ready);
     }

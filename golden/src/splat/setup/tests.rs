@@ -1,5 +1,5 @@
 use super::*;
-use pointcore_contract::splat::records::{EpsilonScale, Viewport};
+use pointcore_contract::splat::records::{Band, EpsilonScale, Viewport};
 
 fn uniforms() -> SetupUniforms {
     let bits = f32::to_bits;
@@ -11,6 +11,7 @@ fn uniforms() -> SetupUniforms {
             depth_b: bits(-1.0),
         },
         epsilon: EpsilonScale { scale: bits(1.0), bias: bits(0.0) },
+        near_plane: bits(1.0),
         filter_radius: bits(1.0),
     }
 }
@@ -39,6 +40,7 @@ fn setup_in(
             depth_b: encode(uniforms.viewport.depth_b),
         },
         epsilon: EpsilonScale { scale: encode(uniforms.epsilon.scale), bias: encode(uniforms.epsilon.bias) },
+        near_plane: encode(uniforms.near_plane),
         filter_radius: encode(uniforms.filter_radius),
     };
     unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms)
@@ -89,8 +91,12 @@ fn without_the_part_for_the_eye_plane_whole_splats_are_what_they_were() {
     };
     for (reach, is_whole) in [(0.0, true), (0.9, true), (0.999_94, false), (1.5, false)] {
         let splat = splat(reach);
-        assert_eq!(with.slant_of(&splat).is_whole, is_whole, "{reach}");
-        let same = with.setup(&splat, &uniforms()) == without.setup(&splat, &uniforms());
+        assert_eq!(with.slant_of(&splat, &uniforms()).is_whole, is_whole, "{reach}");
+        let unseen = |setup: &Setup| {
+            let drawn = setup.setup(&splat, &uniforms()).expect("it is in view");
+            SetupSplat { footprint: Footprint { sight: Sight::default(), ..drawn.footprint }, ..drawn }
+        };
+        let same = unseen(&with) == unseen(&without);
         assert_eq!(same, is_whole, "{reach}: only splats across the eye plane need the part");
     }
 }
@@ -131,6 +137,7 @@ fn a_splat_seen_edge_on_has_no_delta() {
 #[test]
 fn coarse_formats_keep_away_from_the_eye_plane() {
     let has_viewport = |format, reach: f32| {
+        // Bounds by the box, which holds the axis here.
         let splat = setup_in(format, Feature::Off, [[0.2, 0.0, 2.0 * reach], [0.0, 0.2, 0.0]], &uniforms());
         bounds(&splat.expect("it is in view")) == [0, 255, 0, 127]
     };
@@ -152,7 +159,7 @@ fn the_footprint_alone_has_the_rasterizers_format() {
     };
     let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
     let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
-    let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane } = wide.footprint;
+    let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, sight, band, plane } = wide.footprint;
     let center = center.map(rounded);
     let [ax, bx, ay, by, delta, mx, my] = [ax, bx, ay, by, delta, mx, my].map(rounded);
     let plane = DepthPlane {
@@ -161,14 +168,96 @@ fn the_footprint_alone_has_the_rasterizers_format() {
         range: plane.range.map(rounded),
         epsilon: rounded(plane.epsilon),
     };
-    let rounded = Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane };
+    let limit = |bits: u32| if bits << 1 == u32::MAX - 1 { 0x7fff } else { rounded(bits) };
+    let sight = Sight { near: limit(sight.near), far: limit(sight.far), ..sight };
+    let rounded = Footprint { center, ax, bx, ay, by, delta, mx, my, shift, sight, band, plane };
     assert_eq!(narrow.footprint, rounded);
     assert_eq!(narrow.bounds, wide.bounds);
 }
 
 #[test]
-fn a_splat_across_the_eye_plane_has_the_viewport() {
+fn a_splat_across_the_eye_plane_has_the_bounds_of_its_box() {
     let splat = setup([[0.2, 0.0, 2.0], [0.0, 0.2, 0.0]]).expect("it is in view");
-    assert_eq!(bounds(&splat), [0, 255, 0, 127]);
+    assert_eq!(bounds(&splat), [0, 255, 0, 127], "the axis lies in the box");
     assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+
+    // Half right of the axis, ½ below it; its box reaches from −2 to 6.
+    let aside = |center: [f32; 3], scale_x: f32| {
+        let config = Config { height: 128, geometry: Format::F32, culling: Feature::Off, ..Config::default() };
+        let unit = Setup::new(&config, 1);
+        let tangents = [[0.0, 0.0625, 0.0], [0.125, 0.0, 2.0]].map(|tangent| tangent.map(f32::to_bits));
+        let splat = Splat { center: center.map(f32::to_bits), tangents, ..Splat::default() };
+        let viewport = Viewport { scale: [scale_x, 100.0].map(f32::to_bits), ..uniforms().viewport };
+        unit.setup(&splat, &SetupUniforms { viewport, ..uniforms() })
+    };
+    // From (2.25 − 0.25)/6 on to the right, and to −(0.5 − 0.125)/6 upwards; the centre's disc is at 240.
+    let below = |splat: Option<SetupSplat>| bounds(&splat.expect("it is in view"));
+    assert_eq!(below(aside([2.25, -0.5, 2.0], 100.0)), [161, 255, 0, 57]);
+    assert_eq!(below(aside([2.25, -0.5, 2.0], -100.0)), [0, 94, 0, 57], "mirrored");
+    assert_eq!(aside([40.0, 0.0, 2.0], 100.0), None, "nowhere in the image");
+    assert_eq!(below(aside([0.25, -0.5, 2.0], 100.0))[..2], [0, 255], "the box touches the axis");
+}
+
+/// `D`'s limits as numbers, and which of its terms stands for it.
+fn sight(splat: &SetupSplat) -> (f32, f32, bool) {
+    let Sight { near, far, turned, .. } = splat.footprint.sight;
+    (f32::from_bits(near), f32::from_bits(far), turned)
+}
+
+#[test]
+fn only_what_reaches_beyond_a_plane_has_a_limit() {
+    // Depth is `2 − 2/z`: from the near plane at 1 to the far one at 2.
+    let viewport = Viewport { depth_a: f32::to_bits(2.0), depth_b: f32::to_bits(-2.0), ..uniforms().viewport };
+    let drawn = |z: f32, reach: f32| {
+        let unit = Setup::new(&Config { geometry: Format::F32, culling: Feature::Off, ..Config::default() }, 1);
+        let tangents = [[0.0, 0.25, 0.0], [0.25, 0.0, reach]].map(|tangent| tangent.map(f32::to_bits));
+        let splat = Splat { center: [0.0, 0.0, z].map(f32::to_bits), tangents, ..Splat::default() };
+        unit.outcome(&splat, &SetupUniforms { viewport, ..uniforms() })
+    };
+    let limits = |z: f32, reach: f32| {
+        let drawn = drawn(z, reach).expect("some of it is in view");
+        let (near, far, turned) = sight(&drawn);
+        let of = f32::from_bits(drawn.footprint.delta).abs() * if turned { reach } else { z };
+        (near / of, far / of, turned, drawn.footprint.sight.disc)
+    };
+    let (near, far, turned, disc) = limits(1.5, 0.25);
+    assert!(near.is_nan() && far == 0.0 && !turned && disc, "all of it lies between both");
+    let is_about = |value: f32, expected: f32| (value - expected).abs() < 1e-5;
+    let (near, far, ..) = limits(1.25, 0.5);
+    assert!(is_about(near, 1.0) && far == 0.0, "it reaches before the near plane, at 1/z = {near}");
+    let (near, far, _, disc) = limits(1.75, 0.5);
+    assert!(near.is_nan() && is_about(far, 0.5) && disc, "it reaches behind the far plane, at 1/z = {far}");
+    for z in [0.9, 0.25, -0.5] {
+        let (near, far, turned, disc) = limits(z, 2.0);
+        assert!(is_about(near, 1.0) && is_about(far, 0.5) && turned && !disc, "{z}: {near}, {far}");
+    }
+    let (_, far, turned, disc) = limits(2.25, 0.5);
+    assert!(is_about(far, 0.5) && !turned && !disc, "its centre lies behind the far plane");
+    assert_eq!(drawn(0.5, 0.125), Err(Dropped::Near));
+    assert_eq!(drawn(-2.5, 1.0), Err(Dropped::Near));
+    assert_eq!(drawn(2.5, 0.125), Err(Dropped::Far));
+}
+
+#[test]
+fn size_is_no_question_of_range() {
+    // What a footprint has that was scaled: numbers about one, whatever the splat's size is, and one power of two from it.
+    let unit = Setup::new(&Config { geometry: Format::F32, culling: Feature::Off, ..Config::default() }, 1);
+    let footprint = |size: f32| {
+        let tangents = [[0.0, size, 0.0], [size, 0.0, 0.25 * size]].map(|tangent| tangent.map(f32::to_bits));
+        let splat = Splat { center: [0.5, 0.0, 2.0].map(f32::to_bits), tangents, ..Splat::default() };
+        unit.setup(&splat, &uniforms()).expect("it is in view").footprint
+    };
+    let numbers = |footprint: &Footprint| {
+        let Footprint { ax, bx, ay, by, delta, mx, my, .. } = *footprint;
+        [ax, bx, ay, by, mx, my, delta].map(f32::from_bits)
+    };
+    let ordinary = numbers(&footprint(0.25));
+    for power in [-90, -40, -1, 1, 40, 57] {
+        let [lengths @ .., _, _, delta] = numbers(&footprint(0.25 * f32::powi(2.0, power)));
+        // Half of what it is at the near plane, at half the depth.
+        assert!((0.5..1.0).contains(&delta.abs()), "2^{power}: {delta}");
+        // Δ is an area: twice the size makes lengths half as long beside it.
+        let [ordinary @ .., _, _, _] = ordinary;
+        assert_eq!(lengths.map(|length| length * f32::powi(2.0, power)), ordinary, "2^{power}");
+    }
 }

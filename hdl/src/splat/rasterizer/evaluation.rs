@@ -7,7 +7,7 @@ use crate::float::exp_neg;
 use crate::splat::parts::division::squared_ratio;
 use crate::units::values::{Terms, Values};
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::records::{Band, DepthPlane, LOCAL_BITS, SamplePlace};
+use pointcore_contract::splat::records::{Band, DepthPlane, LOCAL_BITS, SamplePlace, Sight};
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use pointcore_contract::splat::{Config, RasterFormat};
 use pointcore_contract::{Fixed, Format, Sampling, Signedness};
@@ -83,14 +83,20 @@ fn floating(config: &Config, format: Format, program: &Program, position: &Posit
     let s1 = x * number(shape.ay) - y * number(shape.ax);
     let s2 = x * number(shape.by) - y * number(shape.bx);
     let d = number(shape.delta) + x * number(shape.mx) + y * number(shape.my);
-    let mut distance = squared_ratio(config.division, s1, s2, d);
-    if config.eye_plane.is_on() {
-        let behind = sign(d, format) ^ sign(number(shape.delta), format);
-        let infinity = program.constant(Type::Float(format), format.infinity());
-        distance = behind.mux(infinity, distance);
-    }
+    let infinity = program.constant(Type::Float(format), format.infinity());
+    let has_sight = config.eye_plane.is_on();
+    let mut distance = if has_sight {
+        let Sight { negative, near, far, turned, .. } = shape.sight;
+        let (across, divisor) = (turned.mux(d, s1), turned.mux(s1, d));
+        let magnitude = divisor.bits(format.width() - 2, 0);
+        let seen = !(sign(divisor, format) ^ negative) & magnitude.le(near) & far.le(magnitude);
+        seen.mux(squared_ratio(config.division, across, s2, divisor), infinity)
+    } else {
+        squared_ratio(config.division, s1, s2, d)
+    };
     if config.screen_filter.is_on() {
         let screen = (x * x + y * y) * program.uniform(PORTS.filter_scale.name, Type::Float(format));
+        let screen = if has_sight { shape.sight.disc.mux(screen, infinity) } else { screen };
         distance = distance.min(screen);
     }
     let rho_squared = distance;

@@ -6,6 +6,7 @@ use crate::compiler::{Program, Type, Value, name};
 use crate::splat::setup::fixed_footprint::magnitude;
 use crate::units::values::Values;
 use pointcore_contract::Fixed;
+use pointcore_contract::splat::records::Sight;
 use pointcore_contract::splat::units::rasterizer::PORTS;
 use pointcore_contract::splat::{Coefficient, Config};
 
@@ -50,7 +51,10 @@ pub(super) fn squared(
     if !config.screen_filter.is_on() {
         return on_splat;
     }
-    let in_disc = evaluation.in_disc(x, y);
+    let mut in_disc = evaluation.in_disc(x, y);
+    if config.eye_plane.is_on() {
+        in_disc = evaluation.argument(in_disc.covered & shape.sight.disc, in_disc.argument);
+    }
     Squared { covered: on_splat.covered | in_disc.covered, argument: on_splat.argument.min(in_disc.argument) }
 }
 
@@ -96,15 +100,23 @@ impl Evaluation<'_> {
             [x * self.number(shape.mx), y * self.number(shape.my)].map(|product| product.resize(wide));
         let d = (delta.resize(wide) << self.coefficient.place_fraction()) + along_x + along_y;
 
-        let (d_bits, s_bits) = (magnitude(d), [s1, s2].map(|s| magnitude(s).resize(2 * n)));
+        name!(s1, s2, d);
+        let (mut across, mut d) = (s1.resize(wide), d);
+        if config.eye_plane.is_on() {
+            let turned = shape.sight.turned;
+            (across, d) = (turned.mux(d, across), turned.mux(across, d));
+        }
+        let (d_bits, s_bits) = (magnitude(d), [across, s2.resize(wide)].map(magnitude));
         let (significant, beyond) = self.significant(d_bits, s_bits);
         let [denominator, first, second] = significant.map(|part| part * part);
-        name!(s1, s2, d, denominator);
+        name!(denominator);
         let sum = first.resize(SQUARE + 1) + second.resize(SQUARE + 1);
         let mut covered = sum.lt(denominator.resize(SQUARE + 1)) & !beyond;
         if config.eye_plane.is_on() {
-            let delta_top = self.coefficient.delta_width() - 1;
-            let behind = d.bits(wide - 1, wide - 1) ^ delta.bits(delta_top, delta_top);
+            let Sight { negative, near, far, .. } = shape.sight;
+            let in_units = d_bits.bits(2 * n - 1, self.coefficient.place_fraction());
+            let behind = d.bits(wide - 1, wide - 1) ^ negative;
+            covered = covered & in_units.le(near) & far.le(in_units);
             covered = covered & !behind;
         }
         let dropped = SQUARE - (self.kernel_bits + GUARD_BITS);

@@ -1,7 +1,9 @@
 //! What goes into the evaluation of samples, what comes out of it, and what goes by.
 
 use pointcore_contract::record;
-use pointcore_contract::splat::records::{ATTRIBUTES, AXES, Band, DepthPlane, Footprint, SamplePlace, attribute_name};
+use pointcore_contract::splat::records::{
+    ATTRIBUTES, AXES, Band, DepthPlane, Footprint, SamplePlace, Sight, attribute_name,
+};
 use pointcore_contract::splat::{Coefficient, Config};
 
 use crate::units::wires::Wires;
@@ -38,6 +40,9 @@ pub(super) struct Shape {
     #[when(config.raster_format().fixed().is_some())]
     #[bits(Coefficient::SHIFT_BITS)]
     shift: u8,
+    /// What of it is seen, where that is asked sample by sample.
+    #[when(config.eye_plane.is_on())]
+    sight: Sight,
     /// Depth plane, where each sample has its own.
     #[when(config.has_depth_plane())]
     plane: DepthPlane,
@@ -45,8 +50,8 @@ pub(super) struct Shape {
 
 impl From<Footprint<Wires>> for Shape<Wires> {
     fn from(footprint: Footprint<Wires>) -> Self {
-        let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, plane, .. } = footprint;
-        Self { center, ax, bx, ay, by, delta, mx, my, shift, plane }
+        let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, sight, plane, .. } = footprint;
+        Self { center, ax, bx, ay, by, delta, mx, my, shift, sight, plane }
     }
 }
 

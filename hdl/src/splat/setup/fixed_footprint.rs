@@ -2,6 +2,7 @@
 //! `pointcore_golden::splat::fixed_footprint`.
 
 use super::Projection;
+use super::exponent::Exponents;
 use crate::compiler::{Program, Type, Value};
 use crate::units::values::Values;
 use pointcore_contract::splat::Coefficient;
@@ -64,7 +65,14 @@ pub(super) fn footprint(
         covers_nothing.mux(none, value)
     };
     let [ax, bx, ay, by, delta, mx, my] = [ax, bx, ay, by, delta, mx, my].map(or_none);
-    Footprint { center, ax, bx, ay, by, delta, mx, my, shift, ..Footprint::default() }
+    let sight = splat.limits.map(|limits| {
+        let [(no_near, near), (no_far, far)] = limits.planes;
+        let units = |limit: Value| rounding.units(limit, exponent + lowered, delta_width);
+        let [none, all] = [0, u64::MAX >> (u64::BITS - delta_width)].map(|bits| program.lit(delta_width, bits));
+        limits.sight([no_near.mux(all, units(near)), no_far.mux(none, units(far))].map(or_none))
+    });
+    let sight = sight.unwrap_or_default();
+    Footprint { center, ax, bx, ay, by, delta, mx, my, shift, sight, ..Footprint::default() }
 }
 
 impl Rounding<'_> {
@@ -87,6 +95,14 @@ impl Rounding<'_> {
         let bits = value.bits(top, top).cat(field).cat(value.bits(self.format.mantissa - 1, 0));
         let scaled = bits.reinterpret(Type::Float(self.format));
         self.rounded(scaled, Fixed { width, fraction: width - 1, signed: Signedness::Signed })
+    }
+
+    /// The magnitude of `value · 2^(126 − exponent)` in units of a `Δ` so wide, truncated and saturated.
+    fn units(&self, value: Value, exponent: Value, width: u32) -> Value {
+        let exponents = Exponents { program: self.program, format: self.format };
+        let wide = |bits: Value| bits.resize(exponents.lit(0).ty().map_or(1, Type::width));
+        let scaled = exponents.raise_far(value.abs(), exponents.lit(HALF), wide(exponent));
+        scaled.to_fixed(Fixed { width, fraction: width - 1, signed: Signedness::Unsigned })
     }
 
     /// To the nearest, ties away from zero; what rounds up to the end of the range saturates.
