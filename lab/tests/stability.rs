@@ -6,12 +6,13 @@ use pointcore::number::encode;
 use pointcore_contract::splat::records::Splat;
 use pointcore_contract::splat::{Division, Feature};
 use pointcore_contract::{Format, Subnormals};
+use pointcore_lab::stability::analysis::Analysis;
 use pointcore_lab::stability::case::{Case, IMAGE_EDGE_PX, Lens};
 use pointcore_lab::stability::check::{Property, check};
 use pointcore_lab::stability::compare::compare;
 use pointcore_lab::stability::families::{LEVELS, case};
 use pointcore_lab::stability::family::Family;
-use pointcore_lab::stability::hardware::{Analysis, Fate, Units};
+use pointcore_lab::stability::hardware::{Fate, Units};
 use pointcore_lab::stability::methods::{Method, Prepared};
 use pointcore_lab::stability::truth::Truth;
 use proptest::prelude::*;
@@ -167,6 +168,19 @@ proptest! {
     }
 }
 
+#[test]
+fn what_is_proved_holds_where_a_coefficient_vanishes() {
+    // A tangent in the centre's place is so long that `m` falls below the least number when all get one scale.
+    let center = [0.0, -3.507_438_2, 0.0];
+    let tangents = [[3.215_258_6e37, 0.0, 114_478_440.0], [0.0, 0.0, -7_144_673.0]];
+    for (format, division) in FORMATS.into_iter().zip([Division::Newton, Division::Rounded]) {
+        let case = Case { filter: Feature::Off, ..splat(format, center, tangents, 1.0) };
+        let units = Units::with_division(format, division);
+        let broken = (0..64).flat_map(|seed| check(&units, &case, seed).violations).find(|v| v.property.is_proved());
+        assert!(broken.is_none(), "{broken:?}");
+    }
+}
+
 /// Whether some choice of samples shows that a property does not hold.
 fn is_violated(case: &Case, property: Property) -> bool {
     let units = Units::new(case.format);
@@ -178,10 +192,8 @@ fn is_violated(case: &Case, property: Property) -> bool {
 fn the_known_weaknesses_are_these() {
     let [wide, _] = FORMATS;
     let weaknesses = [
-        (Property::Near, splat(wide, [0.0, 0.0, 1.0], [[0.0, -1.0, 0.0], [-1.0, 0.0, 1.0]], 1.0)),
-        (Property::Far, splat(wide, [0.0, 1.0, 4096.0], [[0.0, 0.0, -4096.0], [1.0, 0.0, 0.0]], 1.0)),
-        // `D²` overflows.
-        (Property::Lost, splat(wide, [1.0, 0.0, 2.0], [[0.0, 0.0, -1.0], [0.0, -4.5e15, 0.0]], 1.0)),
+        // A tangent's vanishing point is the origin, and what is measured by it is below every number.
+        (Property::Lost, splat(wide, [3.75, -2.5, 0.0], [[-0.125, -0.25, 0.0], [0.0, 0.125, -3e38]], 1.0)),
     ];
     for (property, case) in weaknesses {
         assert!(is_violated(&case, property), "{property:?} holds of {:?} now", case.numbers());
@@ -193,6 +205,15 @@ fn the_known_weaknesses_are_these() {
 fn these_are_weaknesses_no_more() {
     let [wide, narrow] = FORMATS;
     let mended = [
+        // The centre decided for all of a splat.
+        (Property::Near, splat(wide, [0.0, 0.0, 1.0], [[0.0, -1.0, 0.0], [-1.0, 0.0, 1.0]], 1.0)),
+        (Property::Near, splat(narrow, [0.0, 0.0, 1.0], [[0.0, -1.0, 0.0], [-1.0, 0.0, 1.0]], 1.0)),
+        (Property::Far, splat(wide, [0.0, 1.0, 4096.0], [[0.0, 0.0, -4096.0], [1.0, 0.0, 0.0]], 1.0)),
+        // `D²` overflowed, and `Δ`.
+        (Property::Lost, splat(wide, [1.0, 0.0, 2.0], [[0.0, 0.0, -1.0], [0.0, -4.5e15, 0.0]], 1.0)),
+        (Property::Facing, splat(wide, [1.0, -1.0, 2.0], [[0.0, 0.0, -1.0], [-1.0, 0.0, 8.3e34]], 1.0)),
+        // A centre thousands of pixels aside was the origin.
+        (Property::Lost, splat(narrow, [1_572_864.0, 0.0, 8.0], [[0.0, 65536.0, 0.0], [0.0, 0.0, -4_194_304.0]], 1.0)),
         // A product of three vectors overflowed, and with it the test whether the splat faces away.
         (Property::Facing, splat(wide, [0.0, 0.0, 1.5], [[0.0, 8e18, 0.0], [6e17, 0.0, 1.5e20]], 1.0)),
         // Exactly edge-on and across the eye plane.

@@ -113,6 +113,7 @@ impl Case {
                 depth_b: self.encode(self.lens.depth_b),
             },
             epsilon: EpsilonScale { scale: self.encode(1.0), bias: self.encode(EPSILON_BIAS.into()) },
+            near_plane: self.encode(self.lens.near),
             filter_radius: self.encode(FILTER_RADIUS_PX.into()),
         }
     }

@@ -1,7 +1,9 @@
 //! What must hold of every case, and whether it does.
 
+use super::analysis::Analysis;
 use super::case::{Case, IMAGE_EDGE_PX};
-use super::hardware::{Analysis, Fate, Units, crossing_clearance};
+use super::hardware::{Fate, Units};
+use super::hit::InRange;
 use super::rounding::Bounded;
 use super::search::{InsideSearch, PixelArea, ROUGHLY, area, whole_image};
 use super::truth::{Side, Truth};
@@ -10,6 +12,7 @@ use pointcore_contract::Format;
 use pointcore_contract::splat::config::DEPTH_BITS;
 use pointcore_contract::splat::records::SetupSplat;
 use pointcore_golden::number::Number;
+use pointcore_golden::splat::Dropped;
 use serde::Serialize;
 
 /// Samples looked at in a case.
@@ -47,9 +50,9 @@ pub enum Property {
     Malformed,
     /// The reconstruction buffer holds numbers only.
     Finite,
-    /// No splat with a visible sample is dropped for its centre before the near plane.
+    /// No splat with a visible sample is dropped as one before the near plane.
     Near,
-    /// … behind the far plane.
+    /// … as one behind the far plane.
     Far,
     /// … since rounding took it for one that faces away.
     Facing,
@@ -158,12 +161,10 @@ pub fn check(units: &Units, case: &Case, seed: u64) -> Findings {
     };
     let analysis = Analysis::new(case, units.division);
     match &fate {
-        Fate::Culled => culled(case, &truth, &analysis, &mut random, &mut findings),
-        Fate::Empty => empty(case, &truth, &analysis, &mut random, &mut findings),
+        Fate::Dropped(dropped) => nothing_drawn(*dropped, &truth, &analysis, &mut random, &mut findings),
         Fate::Drawn(drawn) => {
-            let clearance = crossing_clearance(case.format);
-            depth(&truth, &analysis, clearance, drawn, &mut findings);
-            contained(&truth, &analysis, clearance, drawn, &mut random, &mut findings);
+            depth(&truth, &analysis, drawn, &mut findings);
+            contained(case, &truth, &analysis, drawn, &mut random, &mut findings);
             samples(units, case, &truth, &analysis, drawn, &mut random, &mut findings);
         }
     }
@@ -198,50 +199,40 @@ fn malformed(units: &Units, case: &Case, drawn: &SetupSplat, random: &mut Rng, f
     }
 }
 
-/// A splat that was dropped for its side or its centre.
-fn culled(case: &Case, truth: &Truth, analysis: &Analysis, random: &mut Rng, findings: &mut Findings) {
-    if truth.faces_away() {
+/// A splat that draws nothing should have no sample between near and far plane.
+fn nothing_drawn(dropped: Dropped, truth: &Truth, analysis: &Analysis, random: &mut Rng, findings: &mut Findings) {
+    // Who faces away may be dropped for any reason.
+    if matches!(dropped, Dropped::Facing | Dropped::Near) && truth.faces_away() {
         return;
     }
-    let before_near = case.numbers()[2] <= case.lens.near;
-    let property = if before_near { Property::Near } else { Property::Facing };
-    dropped(property, case, truth, analysis, random, findings);
-}
-
-/// A splat that was dropped since nothing of it is in view.
-fn empty(case: &Case, truth: &Truth, analysis: &Analysis, random: &mut Rng, findings: &mut Findings) {
-    let is_far = analysis.center_depth.is_above(1.0) != Some(false);
-    dropped(if is_far { Property::Far } else { Property::Lost }, case, truth, analysis, random, findings);
-}
-
-/// A splat that draws nothing should have no sample between near and far plane.
-fn dropped(
-    property: Property,
-    case: &Case,
-    truth: &Truth,
-    analysis: &Analysis,
-    random: &mut Rng,
-    findings: &mut Findings,
-) {
-    let lens = &case.lens;
     let search = InsideSearch { truth, analysis, bounds: None };
-    let visible = search.samples(random).filter(|(pixel, _)| {
-        let distance = truth.distance(*pixel);
-        distance > lens.near && lens.depth_a + lens.depth_b / distance <= 1.0
-    });
-    if let Some((pixel, squared)) = visible.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        // One at the rim of bounds that came out empty is no more than that.
-        let property = if property == Property::Lost && squared > 1.0 - RIM { Property::Rim } else { property };
+    // A filter's disc counts where its splat's plane is seen.
+    let seen = search.samples(random).filter(|(pixel, _)| truth.hit(*pixel, ROUGHLY).range == InRange::Yes);
+    if let Some((pixel, squared)) = seen.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        let property = match dropped {
+            Dropped::Near => Property::Near,
+            Dropped::Far => Property::Far,
+            Dropped::Facing => Property::Facing,
+            // One at the rim of bounds that came out empty is no more than that.
+            Dropped::Beside if squared > 1.0 - RIM => Property::Rim,
+            Dropped::Beside => Property::Lost,
+        };
         let found = format!("nothing is drawn, but ρ² = {squared:.6} at distance {:e}", truth.distance(pixel));
         findings.violate(property, Some(pixel), 1.0 - squared, found);
     }
 }
 
-fn depth(truth: &Truth, analysis: &Analysis, clearance: f64, drawn: &SetupSplat, findings: &mut Findings) {
+fn depth(truth: &Truth, analysis: &Analysis, drawn: &SetupSplat, findings: &mut Findings) {
     let unit = 0.5_f64.powi(DEPTH_BITS as i32);
     let depth = f64::from(drawn.footprint.band.depth) * unit;
+    if !analysis.is_centered {
+        // Of what has its centre before the near plane, that plane's.
+        if depth != 0.0 {
+            findings.violate(Property::Depth, None, depth, format!("depth {depth}, not the near plane's"));
+        }
+        return;
+    }
     let depths = truth.depths();
-    let is_whole = analysis.clearance.is_above(clearance);
     let is_beyond_near = analysis.near_depth.is_above(0.0);
     let excess = |exact: f64, bounded: &Bounded| {
         let error = (depth - exact.clamp(0.0, 1.0 - unit)).abs();
@@ -249,7 +240,7 @@ fn depth(truth: &Truth, analysis: &Analysis, clearance: f64, drawn: &SetupSplat,
     };
     let center = excess(depths.center, &analysis.center_depth);
     let middle = excess(depths.middle, &analysis.middle_depth);
-    let excess = match (is_whole, is_beyond_near) {
+    let excess = match (analysis.is_whole, is_beyond_near) {
         (Some(true), Some(true)) => middle,
         (Some(false), _) | (Some(true), Some(false)) => center,
         _ => center.min(middle),
@@ -262,9 +253,9 @@ fn depth(truth: &Truth, analysis: &Analysis, clearance: f64, drawn: &SetupSplat,
 
 /// Whether the bounds hold every sample of the splat.
 fn contained(
+    case: &Case,
     truth: &Truth,
     analysis: &Analysis,
-    clearance: f64,
     drawn: &SetupSplat,
     random: &mut Rng,
     findings: &mut Findings,
@@ -281,7 +272,13 @@ fn contained(
     let Some((pixel, squared)) = search.samples(random).min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
     let error = analysis.bounds.iter().flatten().map(|bound| bound.error).fold(0.0, f64::max);
     let found = format!("ρ² = {squared:.6} outside the bounds {first:?} to {last:?}, known to {error:e} px");
-    let property = if error * SLACK <= MARGIN_PX && analysis.clearance.is_above(clearance) == Some(true) {
+    let is_known = match analysis.is_whole {
+        Some(true) => error * SLACK <= MARGIN_PX,
+        // The box is known to far less than that, but not the disc.
+        Some(false) => !case.filter.is_on(),
+        None => false,
+    };
+    let property = if is_known {
         Property::Bounds
     } else if squared > 1.0 - RIM {
         Property::Rim
@@ -308,11 +305,22 @@ fn samples(
         let weight = units.weight(squared);
         let bounded = analysis.squared_distance(pixel);
         let tolerance = if bounded.error.is_finite() { bounded.error * (SLACK - 1.0) / 2.0 } else { ROUGHLY };
-        let exact = truth.hit(pixel, tolerance.min(ROUGHLY)).squared_distance;
+        let hit = truth.hit(pixel, tolerance.min(ROUGHLY));
+        let exact = hit.squared_distance;
+        // Beyond near and far plane a distance is asked for only of splats that reach there.
+        let is_beside = hit.range == InRange::No && weight.is_none();
+        // Nor is the disc of a centre that is no origin.
+        let has_other_origin = analysis.turned && exact >= 1.0 && weight.is_none();
+        if is_beside || has_other_origin {
+            continue;
+        }
         if bounded.error.is_finite() {
             sample(pixel, exact, computed, weight, bounded, findings);
         } else {
             findings.undetermined += 1;
+        }
+        if truth.is_at_plane(pixel) {
+            continue;
         }
         if exact <= 1.0 - RIM && weight.is_none() {
             let found = format!("ρ² = {exact:.6}, but computed as {computed:e}");

@@ -3,7 +3,9 @@
 use super::case::Case;
 use super::check::RIM;
 
-use super::hardware::{Analysis, Fate, Units};
+use super::analysis::Analysis;
+use super::hardware::{Fate, Units};
+use super::hit::InRange;
 use super::methods::{Method, Prepared};
 use super::search::{PixelArea, area, whole_image};
 use super::truth::Truth;
@@ -96,6 +98,8 @@ pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[MethodOutcome; 
     for area in devices.iter().filter_map(Device::area) {
         pixels.push(area.pixel(&mut random));
     }
+    // The others know of no near and far plane.
+    pixels.retain(|&pixel| truth.hit(pixel, RESOLVED).range != InRange::No && !truth.is_at_plane(pixel));
     let exact: Vec<_> = pixels.iter().map(|&pixel| truth.hit(pixel, RESOLVED).squared_distance).collect();
     Some(devices.map(|device| {
         let mut outcome = MethodOutcome { visited: device.visited(), ..MethodOutcome::default() };

@@ -11,7 +11,7 @@
 //! computed with [`PRECISION_BITS`] bits.
 
 use super::case::Case;
-use super::hit::{Depths, Hit};
+use super::hit::{Depths, Hit, InRange};
 use dashu_float::FBig;
 use dashu_float::round::mode::Zero;
 use pointcore_contract::splat::Feature;
@@ -64,6 +64,9 @@ pub struct Exact {
     /// `⟨u, n⟩`.
     facing: Real,
     filter: Feature,
+    near: Real,
+    /// `1 − depth_a` and `depth_b`.
+    far: [Real; 2],
 }
 
 impl Exact {
@@ -81,6 +84,8 @@ impl Exact {
             scale: exact(case.lens.scale),
             origin: case.lens.origin.map(exact),
             filter: case.filter,
+            near: exact(case.lens.near),
+            far: [Real::ONE - exact(case.lens.depth_a), exact(case.lens.depth_b)],
             u,
             tangents: [a1, a2],
         }
@@ -98,20 +103,43 @@ impl Exact {
         let ray = self.ray(pixel);
         let [s, t] = [0, 1].map(|i| dot(&ray, &self.crossed[i]));
         let determinant = dot(&ray, &self.normal);
-        let zero = Real::ZERO;
-        let in_front = (determinant > zero && self.facing > zero) || (determinant < zero && self.facing < zero);
+        let range = self.range(&determinant);
+        let in_front = range == InRange::Yes;
         let (numerator, denominator) = (&s * &s + &t * &t, &determinant * &determinant);
         let mut hit = Hit {
             is_inside: in_front && numerator < denominator,
             squared_distance: if in_front { quotient(&numerator, &denominator) } else { f64::INFINITY },
+            range,
         };
-        if self.filter.is_on() {
+        if self.filter.is_on() && self.is_center_shown() {
             let [x, y] = [0, 1].map(|axis| &self.scale * &self.u[axis] - &ray[axis] * &self.u[2]);
             let (numerator, denominator) = (&x * &x + &y * &y, &self.u[2] * &self.u[2]);
             hit.is_inside |= numerator < denominator;
             hit.squared_distance = hit.squared_distance.min(quotient(&numerator, &denominator));
         }
         hit
+    }
+
+    /// Where a ray with such a `⟨d, n⟩` meets the plane: `near < λ·scale` and `depth_a + depth_b/(λ·scale) ≤ 1`.
+    fn range(&self, determinant: &Real) -> InRange {
+        let zero = Real::ZERO;
+        let (facing, determinant) = if self.facing < zero {
+            (-self.facing.clone(), -determinant.clone())
+        } else {
+            (self.facing.clone(), determinant.clone())
+        };
+        if determinant <= zero || facing == zero {
+            return InRange::Behind;
+        }
+        let reach = &facing * &self.scale;
+        let is_within = &self.near * &determinant < reach && &self.far[1] * &determinant <= &self.far[0] * &reach;
+        if is_within { InRange::Yes } else { InRange::No }
+    }
+
+    /// Whether the centre lies between near and far plane.
+    #[must_use]
+    pub fn is_center_shown(&self) -> bool {
+        self.near < self.u[2] && self.far[1] <= &self.far[0] * &self.u[2]
     }
 
     /// `λ` in units of distance along the axis.

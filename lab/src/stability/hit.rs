@@ -3,10 +3,23 @@
 /// Where a viewing ray meets a splat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// `ρ² < 1`, before the eye.
+    /// `ρ² < 1`, between near and far plane.
     pub is_inside: bool,
-    /// `ρ²`; infinite behind the eye.
+    /// `ρ²`; infinite elsewhere.
     pub squared_distance: f64,
+    /// How the ray meets the splat's plane.
+    pub range: InRange,
+}
+
+/// Where a viewing ray meets a splat's plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InRange {
+    /// Between near and far plane.
+    Yes,
+    /// Before the eye, but not between them.
+    No,
+    /// Behind the eye.
+    Behind,
 }
 
 /// Depths of a splat before clamping and truncation.

@@ -2,6 +2,7 @@
 //!
 //! docs/stability.md derives the bounds.
 
+pub mod analysis;
 pub mod campaign;
 pub mod case;
 pub mod check;

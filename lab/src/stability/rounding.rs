@@ -95,6 +95,18 @@ impl Bounded {
         self.within(units, value, error)
     }
 
+    /// The largest magnitude that it may have as computed.
+    #[must_use]
+    pub fn most(self) -> f64 {
+        self.value.abs() + self.error
+    }
+
+    /// The smallest one.
+    #[must_use]
+    pub fn least(self) -> f64 {
+        (self.value.abs() - self.error).max(0.0)
+    }
+
     /// The magnitude.
     #[must_use]
     pub fn abs(self) -> Self {

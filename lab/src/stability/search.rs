@@ -1,7 +1,7 @@
 //! Samples of a splat that are not where the hardware looks for them.
 
+use super::analysis::Analysis;
 use super::case::IMAGE_EDGE_PX;
-use super::hardware::Analysis;
 use super::truth::Truth;
 use fastrand::Rng;
 use pointcore_contract::splat::records::SetupSplat;

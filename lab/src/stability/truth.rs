@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::exact::Exact;
-use super::hit::{Depths, Hit};
+use super::hit::{Depths, Hit, InRange};
 use super::rounding::Bounded;
 use pointcore_contract::splat::{Division, Feature};
 use std::cell::OnceCell;
@@ -10,6 +10,9 @@ use std::ops::RangeInclusive;
 
 /// An f64 depth or distance with a smaller error than this stands for the true one: by far less than any bound of the hardware.
 const NEGLIGIBLE: f64 = 1.0 / (1_u64 << 38) as f64;
+
+/// How close to near or far plane, as a share of the distance, is a matter of rounding.
+const PLANE_RIM: f64 = 1.0 / 64.0;
 
 /// On which side of a rectangle a line lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,12 +93,12 @@ impl Truth {
     pub fn quick_hit(&self, pixel: [u32; 2], tolerance: f64) -> Option<Hit> {
         let ray = self.ray(pixel);
         let determinant = dot(ray, self.normal);
-        let in_front = determinant.sign()? == self.facing.sign()?;
-        let mut squared = in_front.then(|| {
+        let range = self.range(determinant)?;
+        let mut squared = (range == InRange::Yes).then(|| {
             let [s, t] = [0, 1].map(|i| dot(ray, self.crossed[i]));
             (s * s + t * t) / (determinant * determinant)
         });
-        if self.case.filter == Feature::On {
+        if self.case.filter == Feature::On && self.is_center_shown()? {
             let scale = ray[2];
             let [x, y] = [0, 1].map(|axis| scale * self.u[axis] - ray[axis] * self.u[2]);
             let disc = (x * x + y * y) / (self.u[2] * self.u[2]);
@@ -105,9 +108,40 @@ impl Truth {
                 _ => disc,
             });
         }
-        let Some(squared) = squared else { return Some(Hit { is_inside: false, squared_distance: f64::INFINITY }) };
+        let Some(squared) = squared else {
+            return Some(Hit { is_inside: false, squared_distance: f64::INFINITY, range });
+        };
         let is_tolerable = squared.error <= tolerance;
-        is_tolerable.then_some(Hit { is_inside: !squared.is_above(1.0)?, squared_distance: squared.value })
+        is_tolerable.then_some(Hit { is_inside: !squared.is_above(1.0)?, squared_distance: squared.value, range })
+    }
+
+    /// Where the plane is met, if f64 leaves no doubt.
+    fn range(&self, determinant: Bounded) -> Option<InRange> {
+        if determinant.sign()? != self.facing.sign()? {
+            return Some(InRange::Behind);
+        }
+        let lens = &self.case.lens;
+        let (reach, determinant) = (self.facing.abs() * Bounded::in_f64(lens.scale), determinant.abs());
+        let beyond_near = (reach - Bounded::in_f64(lens.near) * determinant).sign()? > 0.0;
+        let [slack, scale] = [1.0 - lens.depth_a, lens.depth_b].map(Bounded::in_f64);
+        let before_far = (slack * reach - scale * determinant).sign()? > 0.0;
+        Some(if beyond_near && before_far { InRange::Yes } else { InRange::No })
+    }
+
+    /// Whether the centre lies between near and far plane, if f64 leaves no doubt.
+    fn is_center_shown(&self) -> Option<bool> {
+        let lens = &self.case.lens;
+        let [slack, scale] = [1.0 - lens.depth_a, lens.depth_b].map(Bounded::in_f64);
+        let before_far = (slack * self.u[2] - scale).sign()? > 0.0;
+        Some(self.numbers[2] > lens.near && before_far)
+    }
+
+    /// Whether the sample comes so close to near or far plane, as a share of its distance, that which side it is on is a matter of rounding.
+    #[must_use]
+    pub fn is_at_plane(&self, pixel: [u32; 2]) -> bool {
+        let (lens, distance) = (&self.case.lens, self.distance(pixel));
+        let far = lens.depth_b / (1.0 - lens.depth_a);
+        [lens.near, far].iter().any(|plane| (distance / plane - 1.0).abs() < PLANE_RIM)
     }
 
     /// Distance along the axis at which a pixel's ray meets the splat's plane; negative behind the eye.
