@@ -39,6 +39,12 @@ impl Number {
         self.bits as u32
     }
 
+    /// Its format.
+    #[must_use]
+    pub const fn format(self) -> Format {
+        self.format
+    }
+
     /// Another value of this format, the nearest to `value`.
     #[must_use]
     pub fn of(self, value: f32) -> Self {
@@ -125,6 +131,38 @@ impl Number {
         } else {
             self.bits & ((1 << self.format.mantissa) - 1) | (1 << self.format.mantissa)
         }
+    }
+
+    /// `self · 2^places` by the exponent alone: zero where that falls below the least normal number's, and of a subnormal number; infinite
+    /// above the largest one's. A NaN stays what it is.
+    #[must_use]
+    pub const fn raised(self, places: i64) -> Self {
+        let exponent = self.exponent_field();
+        if exponent == self.format.exponent_max() {
+            return self;
+        }
+        let sign = self.bits & self.format.sign_mask();
+        let raised = exponent as i64 + places;
+        if exponent == 0 || raised <= 0 {
+            return Self { bits: sign, ..self };
+        }
+        if raised as u64 >= self.format.exponent_max() {
+            return Self { bits: sign | self.format.infinity(), ..self };
+        }
+        let fraction = self.bits & ((1 << self.format.mantissa) - 1);
+        Self { bits: sign | (raised as u64) << self.format.mantissa | fraction, ..self }
+    }
+
+    /// With a magnitude so many units in the last place smaller, zero at least.
+    #[must_use]
+    pub const fn shrunk(self, units: u64) -> Self {
+        Self { bits: self.bits & self.format.sign_mask() | self.abs().bits.saturating_sub(units), ..self }
+    }
+
+    /// The same with the other sign.
+    #[must_use]
+    pub const fn negated(self) -> Self {
+        Self { bits: self.bits ^ self.format.sign_mask(), ..self }
     }
 
     /// Whether it is no number.

@@ -26,6 +26,7 @@ impl Program {
         let end = text.lines().count().max(1);
         let mut program = Self {
             name: String::new(),
+            text: text.to_owned(),
             query: Layout::of_point(),
             neighbor: Layout::of_point(),
             state: Layout::default(),

@@ -34,6 +34,7 @@ impl Section {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Program {
     pub(super) name: String,
+    pub(super) text: String,
     /// What a query carries; its position first.
     pub query: Layout,
     /// What a neighbor carries; its position first.
@@ -55,6 +56,12 @@ impl Program {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The text that it was made of.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// One of its blocks; `init` may be empty.

@@ -37,7 +37,7 @@ pub struct Control {
     /// No thread has a query.
     idle: Output<bool>,
     /// A query waits for a thread.
-    event_thread_wait: Output<bool>,
+    event_query_wait: Output<bool>,
 }
 
 /// The register bank: words of queries by thread, a copy of each for each block that reads it.
@@ -153,7 +153,7 @@ pub struct Threads {
     /// Nothing is under way.
     idle: Output<bool>,
     /// A query waits for a thread.
-    event_thread_wait: Output<bool>,
+    event_query_wait: Output<bool>,
     /// A query is not done.
     event_again: Output<bool>,
 }
@@ -162,8 +162,8 @@ pub struct Threads {
 #[record(config: Config)]
 pub struct Events {
     /// A query waited for a thread.
-    #[name("event_thread_wait")]
-    pub thread_wait: bool,
+    #[name("event_query_wait")]
+    pub query_wait: bool,
     /// The kernel took a neighbor.
     #[name("event_kernel")]
     pub kernel: bool,

@@ -55,7 +55,7 @@ pub struct Control {
     /// What is read from the lists.
     read: Option<Gather>,
     gather: Skid<Gather>,
-    event_thread_wait: bool,
+    event_query_wait: bool,
 }
 
 impl Control {
@@ -86,7 +86,7 @@ impl Control {
             was_farthest: false,
             read: None,
             gather: Skid::default(),
-            event_thread_wait: false,
+            event_query_wait: false,
         }
     }
 
@@ -102,7 +102,7 @@ impl Control {
     fn take_query(&mut self, inputs: &In) {
         let thread = self.free_thread();
         let query = inputs.query.filter(|_| self.query_ready());
-        self.event_thread_wait = inputs.query.is_some() && thread.is_none();
+        self.event_query_wait = inputs.query.is_some() && thread.is_none();
         let is_issued = self.issued < self.threads;
         self.free.step(inputs.released, query.is_some() && !is_issued);
         self.issued += u8::from(query.is_some() && is_issued);
@@ -189,7 +189,7 @@ impl Model for Control {
             prepare: self.ready.out().filter(|_| !self.has_farthest).copied(),
             gather: self.gather.out().copied(),
             idle: self.busy == 0,
-            event_thread_wait: self.event_thread_wait,
+            event_query_wait: self.event_query_wait,
         }
     }
 

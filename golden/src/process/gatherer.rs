@@ -51,8 +51,9 @@ pub struct Gatherer {
     clearing: Option<usize>,
     gather: Skid<Gather>,
     fill: Skid<Neighbor>,
-    /// The stage l.
+    /// The stages l and k.
     looked_up: Option<Gather>,
+    known: Option<Gather>,
     /// Neighbors that have been wanted, and those of them that have been read.
     wanted: u64,
     read: u64,
@@ -86,6 +87,7 @@ impl Gatherer {
             gather: Skid::default(),
             fill: Skid::default(),
             looked_up: None,
+            known: None,
             wanted: 0,
             read: 0,
             read_before: 0,
@@ -101,9 +103,9 @@ impl Gatherer {
         }
     }
 
-    /// The stage l: the neighbor joins those that wait; returns it with the line to be asked for, if there is room.
-    fn look_up(&mut self) -> Option<(Pending, Option<(Missed, LineFetch)>)> {
-        let Gather { place, index } = self.looked_up?;
+    /// The stage k: the neighbor joins those that wait; returns it with the line to be asked for, if there is room.
+    fn judge(&mut self) -> Option<(Pending, Option<(Missed, LineFetch)>)> {
+        let Gather { place, index } = self.known?;
         let line = index / self.line_points;
         let slot = line as usize % self.slots.len();
         let is_hit = place.none || self.slots[slot].line == Some(line);
@@ -111,7 +113,7 @@ impl Gatherer {
         if !has_room {
             return None;
         }
-        self.looked_up = None;
+        self.known = None;
         let point = slot * self.line_points as usize + (index % self.line_points) as usize;
         let pending = Pending { place, point, missed: !is_hit };
         // What was wanted of the former line, if anything of it is still to be read.
@@ -189,17 +191,20 @@ impl Model for Gatherer {
         }
 
         // Neighbors are looked up.
-        let looked_up = self.look_up();
+        let judged = self.judge();
         self.events = GatherEvents::default();
-        if let Some((Pending { place, .. }, missed)) = looked_up {
+        if let Some((Pending { place, .. }, missed)) = judged {
             self.events = GatherEvents { hit: missed.is_none() && !place.none, miss: missed.is_some() };
+        }
+        if self.known.is_none() {
+            self.known = self.looked_up.take();
         }
         let takes_gather = self.looked_up.is_none() && was_clearing.is_none();
         if takes_gather {
             self.looked_up = self.gather.out().copied();
         }
-        let missed = looked_up.and_then(|(_, missed)| missed);
-        self.pending.step(looked_up.map(|(pending, _)| pending), pops);
+        let missed = judged.and_then(|(_, missed)| missed);
+        self.pending.step(judged.map(|(pending, _)| pending), pops);
         self.missed.step(missed.map(|(missed, _)| missed), takes_line && next_line.is_some());
         self.fetch.step(missed.map(|(_, fetch)| fetch), inputs.fetch_ready);
         self.gather.step(inputs.gather, takes_gather);

@@ -67,7 +67,7 @@ impl Model for Threads {
             sums_ready: bank.sums_ready,
             result,
             idle: control.idle && result.is_none(),
-            event_thread_wait: control.event_thread_wait,
+            event_query_wait: control.event_query_wait,
             event_again: bank.again.is_some(),
         }
     }

@@ -49,7 +49,7 @@ impl Model for Top {
             result: threads.result,
             idle: threads.idle,
             events: Events {
-                thread_wait: threads.event_thread_wait,
+                query_wait: threads.event_query_wait,
                 kernel: self.event_kernel,
                 kernel_wait: self.event_kernel_wait,
                 again: threads.event_again,

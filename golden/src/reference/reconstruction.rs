@@ -31,7 +31,7 @@ pub struct Decisions {
 pub struct Margins {
     /// Least distance in depth of a stored depth from an end of an ε-band; infinite where none was tested.
     pub depth: f64,
-    /// Least distance of a sample's `ρ²` from one, the edge of its splat.
+    /// Least distance of a sample's `ρ²` from one, the edge of its splat, or of its depth from 0 or 1 where near or far plane cut its splat.
     pub edge: f64,
 }
 
@@ -42,9 +42,9 @@ impl Default for Margins {
 }
 
 impl Margins {
-    /// Takes note of a sample.
-    pub fn note_edge(&mut self, squared_distance: f64) {
-        self.edge = self.edge.min((squared_distance - 1.0).abs());
+    /// Takes note of a sample's distance from an edge.
+    pub fn note_edge(&mut self, distance: f64) {
+        self.edge = self.edge.min(distance);
     }
 }
 

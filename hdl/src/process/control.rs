@@ -74,7 +74,7 @@ fn take_query(m: &mut Module, config: &Config, again: &Pulse<Again<Wires>>) {
     let new = issued.bits(config.thread_bits() - 1, 0);
     let thread = Thread { thread: is_new.mux(new, freed.record.thread) };
     let start = PORTS.start.registered(m, config, take, Start { thread, query: query.record });
-    PORTS.event_thread_wait.event(m, query.valid & !is_free);
+    PORTS.event_query_wait.event(m, query.valid & !is_free);
 
     let busy = m.reg_reset("busy", count_bits, 0);
     m.next(busy, busy + take.zext(count_bits) - released.valid.zext(count_bits));

@@ -1,8 +1,8 @@
 //! Gathering (thesis 6.5.4): makes points with attributes of the indices that a search found, through lines that it keeps;
 //! golden twin: `pointcore_golden::process::gatherer`.
 //!
-//! A lookup `l` sends each neighbor to `pending`, where it waits for its turn, and each line that is missing to the memory
-//! and to `missed`. A line that comes takes its slot when all that was wanted of the former one has been read.
+//! A neighbor's slot is read in stage `l` and judged in stage `k`, which sends the neighbor to `pending`, where it waits for
+//! its turn, and a line that is missing to the memory and to `missed`. A line that comes takes its slot when all that was wanted of the former one has been read.
 
 use pointcore_contract::process::Config;
 use pointcore_contract::process::records::{Gather, Gathered, LineFetch, Neighbor, NeighborPlace};
@@ -11,7 +11,7 @@ use pointcore_contract::process::units::{LINES_UNDER_WAY, NEIGHBORS_UNDER_WAY};
 use pointcore_contract::splat::config::index_bits;
 use pointcore_contract::{record, width};
 
-use crate::stream::fifo;
+use crate::stream::fifo_distributed;
 use crate::units::ports::{Flow, OutputPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Wires, layout};
@@ -85,20 +85,24 @@ struct Counts {
     read: Reg,
 }
 
-/// What is looked up.
+/// What is looked up: the stages l and k.
 struct Lookup {
     head: Flow<Gather<Wires>>,
-    valid: Reg,
-    gather: Gather<Wires>,
-    advance: Wire,
-    slot: Slot<Wires>,
+    l_valid: Reg,
+    l: Gather<Wires>,
+    l_advance: Wire,
+    /// What was read of the slot of l.
+    read: Slot<Wires>,
+    k_valid: Reg,
+    k: Gather<Wires>,
+    k_advance: Wire,
     slots: Memory,
     clearing: Reg,
     cleared: Reg,
 }
 
 impl Lookup {
-    /// Reads what is known of the slot of the neighbor that is wanted next; a slot that changes meanwhile is known, too.
+    /// Reads what is known of the slot of the neighbor that is wanted next.
     fn new(m: &mut Module, config: &Config, forget: Expr) -> Self {
         let head = PORTS.gather.queue(m, config);
         let clearing = m.reg_reset("clearing", 1, 1);
@@ -107,31 +111,40 @@ impl Lookup {
         m.next(clearing, forget | (clearing & !last));
         m.next(cleared, (forget | !clearing.expr()).mux(lit(slot_bits(config), 0), cleared.add_lit(1)));
 
-        let advance = m.forward("l_advance", 1);
-        m.drive(head.ready, advance.expr() & !clearing);
-        let valid = m.reg_reset("l_valid", 1, 0);
-        m.next_if(valid, advance, head.valid & !clearing);
-        let gather = head.record.register(m, config, "l_", advance);
+        let [l_advance, k_advance] = ["l_advance", "k_advance"].map(|name| m.forward(name, 1));
+        m.drive(head.ready, l_advance.expr() & !clearing);
+        let [l_valid, k_valid] = ["l_valid", "k_valid"].map(|name| m.reg_reset(name, 1, 0));
+        m.next_if(l_valid, l_advance, head.valid & !clearing);
+        m.drive(l_advance, !l_valid | k_advance.expr());
+        let l = head.record.register(m, config, "l_", l_advance);
         let slots = m.memory_unordered("slots", config.cache_lines, width::<Slot>(config));
         let (_, next_slot, _) = parts(config, head.record.index);
-        let read = m.read_if(slots, "slot_read", advance, next_slot);
-        Self { head, valid, gather, advance, slot: Slot::unpack(config, read), slots, clearing, cleared }
+        let read = m.read_if(slots, "slot_read", l_advance, next_slot);
+        m.next_if(k_valid, k_advance, l_valid);
+        let k = l.register(m, config, "k_", k_advance);
+        let read = Slot::unpack(config, read);
+        Self { head, l_valid, l, l_advance, read, k_valid, k, k_advance, slots, clearing, cleared }
     }
 
-    /// The slot as it is, where the neighbor before had the same; writes it as the neighbor leaves it.
+    /// The slot of the neighbor in k as those before it have left it; writes it as this one leaves it, after so many.
     fn update(&self, m: &mut Module, config: &Config, leaves: Expr, count: Expr) -> Slot<Wires> {
-        let (line, slot, _) = parts(config, self.gather.index);
-        let writes = m.wire("writes_slot", leaves & !self.gather.place.none);
+        let (line, slot, _) = parts(config, self.k.index);
+        let writes = m.wire("writes_slot", leaves & !self.k.place.none);
         let tag = if tag_bits(config) > 0 { line.bits(line.width() - 1, slot_bits(config)) } else { Expr::default() };
         let written = Slot { used: bit(true), tag, wanted: count };
-        let (_, next_slot, _) = parts(config, self.head.record.index);
-        let same = m.reg_reset("same_slot", 1, 0);
-        m.next_if(same, self.advance, writes & next_slot.eq(slot));
-        let before = written.register(m, config, "before_", writes);
         let address = self.clearing.mux(self.cleared.expr(), slot);
         let word = Slot::choose(config, self.clearing.expr(), Slot::zeros(config), written);
         m.write(self.slots, writes | self.clearing.expr(), address, word.pack(config));
-        Slot::choose(config, same.expr(), before, self.slot)
+
+        // What is written in the cycle of a read is not read; nor is what is written when the neighbor moves on to k.
+        let [(_, next_slot, _), (_, l_slot, _)] =
+            [self.head.record.index, self.l.index].map(|index| parts(config, index));
+        let same = m.reg_reset("same_slot", 1, 0);
+        m.next_if(same, self.l_advance, writes & next_slot.eq(slot));
+        let before = written.register(m, config, "before_", writes);
+        let seen = Slot::choose(config, same.expr(), before, self.read);
+        let changes = m.wire("slot_changes", writes & l_slot.eq(slot));
+        Slot::choose(config, changes, written, seen).register(m, config, "known_", self.k_advance)
     }
 }
 
@@ -204,11 +217,11 @@ pub fn module(config: &Config) -> Module {
     let forget = PORTS.forget.declare_word(&mut m, 1);
     let lookup = Lookup::new(&mut m, config, forget);
     let (pending, waiting) = {
-        let queue = fifo(NEIGHBORS_UNDER_WAY, &layout::<Pending>(config));
+        let queue = fifo_distributed(NEIGHBORS_UNDER_WAY, &layout::<Pending>(config));
         Pushed::<Pending>::place(&mut m, config, "pending", queue)
     };
     let (missed, awaited) = {
-        let queue = fifo(LINES_UNDER_WAY, &layout::<Missed>(config));
+        let queue = fifo_distributed(LINES_UNDER_WAY, &layout::<Missed>(config));
         Pushed::<Missed>::place(&mut m, config, "missed", queue)
     };
     let fetch = PORTS.fetch.queue(&mut m, config);
@@ -216,18 +229,18 @@ pub fn module(config: &Config) -> Module {
     let counts =
         Counts { wanted: m.reg_reset("wanted", COUNT_BITS, 0), read: m.reg_reset("read_count", COUNT_BITS, 0) };
 
-    // l: a neighbor leaves when it can wait for its turn and its line can be asked for.
-    let leaves = m.forward("l_leaves", 1);
+    // k: a neighbor leaves when it can wait for its turn and its line can be asked for.
+    let leaves = m.forward("k_leaves", 1);
     let count = m.wire("count", counts.wanted.add_lit(1));
     let slot = lookup.update(&mut m, config, leaves.expr(), count);
-    let Gather { place, index } = lookup.gather;
+    let Gather { place, index } = lookup.k;
     let (line, slot_number, point) = parts(config, index);
     let is_of_line =
         if tag_bits(config) > 0 { slot.tag.eq(line.bits(line.width() - 1, slot_bits(config))) } else { bit(true) };
     let hit = m.wire("hit", place.none | (slot.used & is_of_line));
     let can_ask = m.wire("can_ask", fetch.room & missed.room);
-    m.drive(leaves, lookup.valid & (pending.room & (hit | can_ask)));
-    m.drive(lookup.advance, !lookup.valid | leaves.expr());
+    m.drive(leaves, lookup.k_valid & (pending.room & (hit | can_ask)));
+    m.drive(lookup.k_advance, !lookup.k_valid | leaves.expr());
     m.next_if(counts.wanted, leaves, count);
     let misses = m.wire("misses", leaves.expr() & !hit);
     let hits = m.wire("hits", leaves.expr() & (hit & !place.none));
@@ -254,7 +267,7 @@ pub fn module(config: &Config) -> Module {
     m.next_if(counts.read, takes, counts.read.add_lit(1));
     m.assert(
         "nothing_is_forgotten_while_it_is_wanted",
-        !forget | !(lookup.valid | lookup.head.valid | under_way.any()),
+        !forget | !(lookup.l_valid | lookup.k_valid | (lookup.head.valid | under_way.any())),
     );
     m
 }

@@ -100,8 +100,8 @@ impl Units {
         PORTS.result.export(m, config, result);
         let idle = of_control.idle.word_of(m, control);
         PORTS.idle.drive_word(m, idle & !result.valid);
-        let wait = of_control.event_thread_wait.word_of(m, control);
-        PORTS.event_thread_wait.drive_word(m, wait);
+        let wait = of_control.event_query_wait.word_of(m, control);
+        PORTS.event_query_wait.drive_word(m, wait);
         let again = of_bank.again.of(m, config, bank);
         PORTS.event_again.drive_word(m, again.valid);
     }

@@ -97,7 +97,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
         happened.expr()
     });
     let events = Events::<Wires> {
-        thread_wait: of_threads::PORTS.event_thread_wait.word_of(&mut m, units.threads),
+        query_wait: of_threads::PORTS.event_query_wait.word_of(&mut m, units.threads),
         kernel,
         kernel_wait,
         again: of_threads::PORTS.event_again.word_of(&mut m, units.threads),

@@ -31,15 +31,15 @@ pub fn configs() -> [Config; 4] {
     ]
 }
 
-/// Every program of the library and one that does what those do not, with few and many threads and neighbors.
+/// Every program of the library and one that does what those do not, with few and many threads and neighbors, in all formats, at
+/// several rates.
 pub fn every_program() -> Vec<Config> {
-    let shapes = [(1, 3), (5, 64), (16, 16), (32, 8)];
+    let [f32, f24] = [Format::F32, Format::F24];
+    let shapes = [(1, 3, f32.flushed(), 1), (5, 64, f24, 2), (16, 16, f32, 1), (32, 8, f24.flushed(), 3)];
     let [base, _, farthest, _] = configs();
-    let library = PROGRAMS.iter().zip(shapes.into_iter().cycle()).map(|((name, _), (threads, neighbors))| Config {
-        program: Arc::new(program(name)),
-        threads,
-        neighbors,
-        ..base.clone()
+    let library = PROGRAMS.iter().zip(shapes.into_iter().cycle()).map(|((name, _), shape)| {
+        let (threads, neighbors, format, rate) = shape;
+        Config { program: Arc::new(program(name)), threads, neighbors, format, rate, ..base.clone() }
     });
     library.chain([farthest]).collect()
 }

@@ -6,6 +6,21 @@ use glam::DVec3;
 /// By what `exp_neg` may be off.
 const EXPONENTIAL: f64 = 1.0 / 8192.0;
 
+/// Whether a neighbor has a weight; nothing where rounding decides.
+#[must_use]
+pub fn weight(query: DVec3, cloud: &[Point], [spatial, influence]: [f64; 2]) -> Option<bool> {
+    if cloud.is_empty() {
+        return Some(false);
+    }
+    let weight = |point: &Point| {
+        let d = point.position - query;
+        let height = point.normal().dot(d);
+        point.attributes[3] * ((-spatial * d.length_squared() - influence * height * height).exp() - EXPONENTIAL)
+    };
+    // Of weights that are known not to be zero.
+    (cloud.iter().map(weight).sum::<f64>() > f64::from(f32::EPSILON)).then_some(true)
+}
+
 /// The mean of predictions, relative to the query, and by what it may be off.
 #[must_use]
 pub fn prediction(query: DVec3, cloud: &[Point], [spatial, influence]: [f64; 2], u: f64) -> (DVec3, f64) {

@@ -19,6 +19,13 @@ pub struct Fit {
     pub u4: f64,
 }
 
+/// By what parts of a fit may be off.
+struct Roundings {
+    of_g: f64,
+    of_u0: f64,
+    of_root: f64,
+}
+
 impl Fit {
     /// As of Guennebaud and Gross 2007, positions relative to the query.
     #[must_use]
@@ -54,10 +61,25 @@ impl Fit {
         2.0 * self.u0 / (self.g.length() + self.root())
     }
 
-    /// By what the foot may be off, each term as the program computes it: the errors of sums, of their quotient u4, of
-    /// g and u0, of the root, of the step.
+    /// Whether it has a surface for certain, whatever rounding does.
+    #[must_use]
+    pub fn is_met(&self, sums: &Sums, half_beta: f64, u: f64) -> bool {
+        let Roundings { of_g, of_root, .. } = self.roundings(sums, half_beta, u);
+        2.0 * of_g < self.g.length() && 2.0 * of_root < self.root()
+    }
+
+    /// By what the foot may be off.
     #[must_use]
     pub fn error(&self, query: DVec3, sums: &Sums, half_beta: f64, u: f64) -> f64 {
+        let Roundings { of_g, of_u0, of_root } = self.roundings(sums, half_beta, u);
+        let (g, root, step) = (self.g.length(), self.root(), self.step().abs());
+        let reach = g + root;
+        let of_step = (2.0 * of_u0 + step * (of_g + of_root + 3.0 * u * reach)) / reach + 2.0 * u * step;
+        of_step + step * (2.0 * of_g / g + 4.0 * u) + 2.0 * u * query.length()
+    }
+
+    /// Each term as the program computes it: the errors of sums, of their quotient u4, of g and u0, of the root.
+    fn roundings(&self, sums: &Sums, half_beta: f64, u: f64) -> Roundings {
         let (m, g, u4, u0) = (self.mean.length(), self.g.length(), self.u4.abs(), self.u0.abs());
         let mean = u * sums.mean_error();
         let normal = u * (6.0 * sums.error(0) / sums.weight + 2.0);
@@ -71,9 +93,6 @@ impl Fit {
         let of_u0 = mean * g + m * of_g + of_u4 * self.square + u4 * square + 4.0 * u * (m * g + u4 * self.square);
         let root = self.root();
         let under = 2.0 * g * of_g + 4.0 * (of_u4 * u0 + u4 * of_u0) + 8.0 * u * (g * g + 4.0 * u4 * u0);
-        let of_root = under / root + u * root;
-        let (reach, step) = (g + root, self.step().abs());
-        let of_step = (2.0 * of_u0 + step * (of_g + of_root + 3.0 * u * reach)) / reach + 2.0 * u * step;
-        of_step + step * (2.0 * of_g / g + 4.0 * u) + 2.0 * u * query.length()
+        Roundings { of_g, of_u0, of_root: under / root + u * root }
     }
 }

@@ -22,6 +22,17 @@ pub fn theta(distance2: f64, inverse_radius2: f64) -> f64 {
 /// ≤ u f³ each.
 const THETA: f64 = 35.0;
 
+/// Roundings within which a neighbor at the end of the radius may weigh or not: twice those of f.
+const AT_END: f64 = 16.0;
+
+/// Whether a neighbor weighs something; nothing where rounding decides.
+#[must_use]
+pub fn weighs(query: DVec3, cloud: &[Point], inverse_radius2: f64, u: f64) -> Option<bool> {
+    let within = |point: &Point| 1.0 - point.position.distance_squared(query) * inverse_radius2;
+    let nearest = cloud.iter().map(within).fold(f64::NEG_INFINITY, f64::max);
+    (nearest.abs() > AT_END * u).then_some(nearest > 0.0)
+}
+
 /// Sums of magnitudes over a neighborhood, from which bounds are made.
 pub struct Sums {
     /// Σ θ.

@@ -1,0 +1,8 @@
+; Sums that hang on which neighbors a query has, and not on their order.
+.program tags
+.neighbor tag: int
+.kernel
+accumulate tags, neighbor.tag
+.final
+output tags, tags
+output neighbors, neighbors
