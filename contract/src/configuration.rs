@@ -154,7 +154,7 @@ macro_rules! configuration {
 
         $($crate::configuration::table! {
             $(#[doc = $table_doc])+
-            struct $Table {
+            pub(crate) struct $Table {
                 $(
                     $(#[doc = $doc])+
                     $(#[serde($serde)])?
@@ -165,7 +165,7 @@ macro_rules! configuration {
 
         /// The core, as a file says it.
         #[derive(Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
-        enum Kind {
+        pub(crate) enum Kind {
             #[default]
             #[serde(rename = $kind)]
             This,
@@ -174,11 +174,11 @@ macro_rules! configuration {
         /// A configuration as a file has it: in tables.
         #[derive(Default, serde::Serialize, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
-        struct File {
-            kind: Kind,
-            $(#[serde(default)] $table: $Table,)+
+        pub(crate) struct File {
+            pub(crate) kind: Kind,
+            $(#[serde(default)] pub(crate) $table: $Table,)+
             #[serde(default)]
-            bus: $crate::bus::Config,
+            pub(crate) bus: $crate::bus::Config,
         }
 
         impl From<File> for $config {

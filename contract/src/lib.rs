@@ -9,6 +9,7 @@ pub mod camera;
 pub mod configuration;
 pub mod format;
 pub mod places;
+pub mod points;
 pub mod process;
 pub mod record;
 pub mod rendering;

@@ -69,6 +69,9 @@ module splat_top (
     wire [19:0] setup_out_delta;
     wire [15:0] setup_out_mx, setup_out_my;
     wire [3:0] setup_out_shift;
+    wire setup_out_sight_negative;
+    wire [19:0] setup_out_sight_near, setup_out_sight_far;
+    wire setup_out_sight_turned, setup_out_sight_disc;
     wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [11:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
@@ -78,6 +81,9 @@ module splat_top (
     wire [19:0] splitter_out_delta;
     wire [15:0] splitter_out_mx, splitter_out_my;
     wire [3:0] splitter_out_shift;
+    wire splitter_out_sight_negative;
+    wire [19:0] splitter_out_sight_near, splitter_out_sight_far;
+    wire splitter_out_sight_turned, splitter_out_sight_disc;
     wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [11:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
@@ -88,6 +94,9 @@ module splat_top (
     wire [19:0] reorder_out_delta;
     wire [15:0] reorder_out_mx, reorder_out_my;
     wire [3:0] reorder_out_shift;
+    wire reorder_out_sight_negative;
+    wire [19:0] reorder_out_sight_near, reorder_out_sight_far;
+    wire reorder_out_sight_turned, reorder_out_sight_disc;
     wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
     wire [11:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
@@ -98,6 +107,9 @@ module splat_top (
     wire [19:0] tile_cache_out_delta;
     wire [15:0] tile_cache_out_mx, tile_cache_out_my;
     wire [3:0] tile_cache_out_shift;
+    wire tile_cache_out_sight_negative;
+    wire [19:0] tile_cache_out_sight_near, tile_cache_out_sight_far;
+    wire tile_cache_out_sight_turned, tile_cache_out_sight_disc;
     wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
     wire [11:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
@@ -163,22 +175,25 @@ module splat_top (
         .in_tangent2_y(transform_out_tangent2_y), .in_tangent2_z(transform_out_tangent2_z),
         .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
         .in_attribute_2(transform_out_attribute_2),
+        .near_plane(uniform_near_plane),
         .filter_radius(uniform_filter_radius),
+        .depth_a(uniform_depth_a), .depth_b(uniform_depth_b),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
         .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
         .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
         .out_mx(setup_out_mx), .out_my(setup_out_my), .out_shift(setup_out_shift),
-        .out_depth(setup_out_depth), .out_depth_low(setup_out_depth_low),
-        .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
-        .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
-        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
-        .out_bottom(setup_out_bottom)
+        .out_sight_negative(setup_out_sight_negative), .out_sight_near(setup_out_sight_near),
+        .out_sight_far(setup_out_sight_far), .out_sight_turned(setup_out_sight_turned),
+        .out_sight_disc(setup_out_sight_disc), .out_depth(setup_out_depth),
+        .out_depth_low(setup_out_depth_low), .out_depth_high(setup_out_depth_high),
+        .out_attribute_0(setup_out_attribute_0), .out_attribute_1(setup_out_attribute_1),
+        .out_attribute_2(setup_out_attribute_2), .out_left(setup_out_left), .out_right(setup_out_right),
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
     );
 
     splat_splitter splitter (
@@ -186,20 +201,25 @@ module splat_top (
         .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
         .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
         .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift),
-        .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
-        .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
-        .in_attribute_2(setup_out_attribute_2), .in_left(setup_out_left), .in_right(setup_out_right),
-        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
+        .in_sight_negative(setup_out_sight_negative), .in_sight_near(setup_out_sight_near),
+        .in_sight_far(setup_out_sight_far), .in_sight_turned(setup_out_sight_turned),
+        .in_sight_disc(setup_out_sight_disc), .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low),
+        .in_depth_high(setup_out_depth_high), .in_attribute_0(setup_out_attribute_0),
+        .in_attribute_1(setup_out_attribute_1), .in_attribute_2(setup_out_attribute_2),
+        .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
+        .in_bottom(setup_out_bottom),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
         .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_shift(splitter_out_shift), .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2), .out_left(splitter_out_left),
-        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_tile(splitter_out_tile)
+        .out_shift(splitter_out_shift), .out_sight_negative(splitter_out_sight_negative),
+        .out_sight_near(splitter_out_sight_near), .out_sight_far(splitter_out_sight_far),
+        .out_sight_turned(splitter_out_sight_turned), .out_sight_disc(splitter_out_sight_disc),
+        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
+        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -207,7 +227,10 @@ module splat_top (
         .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
         .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_shift(splitter_out_shift), .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+        .in_shift(splitter_out_shift), .in_sight_negative(splitter_out_sight_negative),
+        .in_sight_near(splitter_out_sight_near), .in_sight_far(splitter_out_sight_far),
+        .in_sight_turned(splitter_out_sight_turned), .in_sight_disc(splitter_out_sight_disc),
+        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
         .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
@@ -216,7 +239,10 @@ module splat_top (
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
         .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_shift(reorder_out_shift), .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
+        .out_shift(reorder_out_shift), .out_sight_negative(reorder_out_sight_negative),
+        .out_sight_near(reorder_out_sight_near), .out_sight_far(reorder_out_sight_far),
+        .out_sight_turned(reorder_out_sight_turned), .out_sight_disc(reorder_out_sight_disc),
+        .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
         .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
         .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
         .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
@@ -228,7 +254,10 @@ module splat_top (
         .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
         .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
         .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_shift(reorder_out_shift), .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .in_shift(reorder_out_shift), .in_sight_negative(reorder_out_sight_negative),
+        .in_sight_near(reorder_out_sight_near), .in_sight_far(reorder_out_sight_far),
+        .in_sight_turned(reorder_out_sight_turned), .in_sight_disc(reorder_out_sight_disc),
+        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
         .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
         .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
@@ -237,7 +266,10 @@ module splat_top (
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
         .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_shift(tile_cache_out_shift), .out_depth(tile_cache_out_depth),
+        .out_my(tile_cache_out_my), .out_shift(tile_cache_out_shift),
+        .out_sight_negative(tile_cache_out_sight_negative), .out_sight_near(tile_cache_out_sight_near),
+        .out_sight_far(tile_cache_out_sight_far), .out_sight_turned(tile_cache_out_sight_turned),
+        .out_sight_disc(tile_cache_out_sight_disc), .out_depth(tile_cache_out_depth),
         .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
         .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
         .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
@@ -275,11 +307,14 @@ module splat_top (
         .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
         .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
         .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift),
-        .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
-        .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .in_sight_negative(tile_cache_out_sight_negative), .in_sight_near(tile_cache_out_sight_near),
+        .in_sight_far(tile_cache_out_sight_far), .in_sight_turned(tile_cache_out_sight_turned),
+        .in_sight_disc(tile_cache_out_sight_disc), .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2), .in_left(tile_cache_out_left),
+        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
+        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -1623,6 +1658,11 @@ module splat_rasterizer (
     input  wire [15:0] in_mx,  // `m` in x.
     input  wire [15:0] in_my,  // `m` in y.
     input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [19:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [19:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -1666,6 +1706,11 @@ module splat_rasterizer (
     reg [15:0] mx;  // `m` in x.
     reg [15:0] my;  // `m` in y.
     reg [3:0] shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg sight_negative;  // `D` is negative before the eye.
+    reg [19:0] sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [19:0] sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
 
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [107:0] shared_out_data;
@@ -1686,6 +1731,8 @@ module splat_rasterizer (
         .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
         .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_shift(shift),
+        .in_sight_negative(sight_negative), .in_sight_near(sight_near), .in_sight_far(sight_far),
+        .in_sight_turned(sight_turned), .in_sight_disc(sight_disc),
         .filter_scale(filter_scale),
         .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
         .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
@@ -1733,6 +1780,11 @@ module splat_rasterizer (
             mx <= in_mx;
             my <= in_my;
             shift <= in_shift;
+            sight_negative <= in_sight_negative;
+            sight_near <= in_sight_near;
+            sight_far <= in_sight_far;
+            sight_turned <= in_sight_turned;
+            sight_disc <= in_sight_disc;
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
@@ -1810,81 +1862,88 @@ module splat_evaluation (
     input  wire [25:0] in_center_x, input wire [25:0] in_center_y, input wire [15:0] in_ax,
     input  wire [15:0] in_bx, input wire [15:0] in_ay, input wire [15:0] in_by,
     input  wire [19:0] in_delta, input wire [15:0] in_mx, input wire [15:0] in_my,
-    input  wire [3:0] in_shift,
+    input  wire [3:0] in_shift, input wire in_sight_negative, input wire [19:0] in_sight_near,
+    input  wire [19:0] in_sight_far, input wire in_sight_turned, input wire in_sight_disc,
     input  wire [15:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
     output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
-    reg delay_6_from_0 [0:4];
+    reg [1:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg delay_9_from_0 [0:7];
+    reg [40:0] delay_7_from_0 [0:5];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
     reg delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg delay_15_from_0 [0:13];
+    reg delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg delay_16_from_0 [0:14];
+    reg delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
     reg delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [3:0] delay_20_from_0 [0:18];
+    reg delay_18_from_0 [0:16];
+    (* ram_style = "distributed" *)
+    reg [3:0] delay_19_from_0 [0:17];
     (* ram_style = "distributed" *)
     reg [15:0] delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
     reg [6:0] delay_37_from_0 [0:35];
     reg [2:0] delay_6_from_0_pointer;
-    reg delay_6_from_0_out;
+    reg [1:0] delay_6_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [40:0] delay_7_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
-    reg delay_9_from_0_out;
+    reg [1:0] delay_9_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg delay_10_from_0_out;
-    reg [3:0] delay_15_from_0_pointer;
-    reg delay_15_from_0_out;
-    reg [3:0] delay_16_from_0_pointer;
-    reg delay_16_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg delay_11_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg delay_14_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
     reg delay_17_from_0_out;
-    reg [4:0] delay_20_from_0_pointer;
-    reg [3:0] delay_20_from_0_out;
+    reg [4:0] delay_18_from_0_pointer;
+    reg delay_18_from_0_out;
+    reg [4:0] delay_19_from_0_pointer;
+    reg [3:0] delay_19_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
     reg [15:0] delay_25_from_0_out;
     reg [5:0] delay_37_from_0_pointer;
     reg [6:0] delay_37_from_0_out;
-    reg end_d17;
+    reg end_d18;
     reg [22:0] s1_chosen_d1;
     reg shift_bits_d1, shift_bits_d1_copy2, shift_bits_d1_copy3;
     reg [15:0] s1_chosen_d1_copy2;
     reg [22:0] s1_chosen_d1_copy3;
     reg [15:0] s1_chosen_d1_copy4, ay_d1, ay_d2, ax_d1, ax_d2;
-    reg [31:0] s1_d1;
+    reg [31:0] s1_d1, s1_d2;
     reg [15:0] by_d1, by_d2, bx_d1, bx_d2;
     reg [31:0] s2_d1;
     reg [15:0] mx_d1, mx_d2, my_d1, my_d2;
     reg [31:0] s1_chosen_times_my_d1;
     reg [32:0] d_shifted_d1, d_shifted_d2, d_shifted_d3, d_shifted_d4, d_sum_d1, d_d1;
-    reg [31:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2;
-    reg [30:0] weight_out_chosen_bits_d1_copy2;
-    reg [31:0] weight_out_chosen_bits_d1_copy3, weight_out_chosen_bits_d2_copy2;
-    reg [30:0] weight_out_chosen_bits_d1_copy4;
-    reg [31:0] weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d2_copy3;
-    reg weight_out_same_d1, weight_out_same_d1_copy2, weight_out_same_d1_copy3, not_weight_out_both_d1;
+    reg [31:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2, weight_out_chosen_bits_d1_copy2;
+    reg [31:0] weight_out_chosen_bits_d2_copy2, weight_out_chosen_bits_d1_copy3, weight_out_chosen_bits_d2_copy3;
+    reg [31:0] weight_out_chosen_bits_d3;
+    reg weight_out_same_d1, weight_out_same_d1_copy2, weight_out_same_d1_copy3, weight_out_same_d2;
     reg weight_out_both_d1, weight_out_both_d2;
     reg [31:0] weight_out_chosen_d1, weight_out_chosen_d1_copy2, weight_out_chosen_d1_copy3;
     reg weight_out_chosen_bits_is_zero_d1, zero_is_weight_out_chosen_bits_d1;
     reg zero_is_weight_out_chosen_bits_d1_copy2, weight_out_both_d1_copy2, weight_out_either_d1;
-    reg [24:0] weight_out_chosen_bits_d1_copy6, weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8;
+    reg [24:0] weight_out_chosen_bits_d1_copy4, weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d1_copy6;
     reg weight_out_same_d1_copy4, weight_out_same_d1_copy5, weight_out_same_d1_copy6;
     reg weight_out_both_d1_copy3, weight_out_same_d1_copy7, weight_out_both_d1_copy4;
     reg weight_out_either_d1_copy2;
-    reg [18:0] weight_out_chosen_bits_d1_copy9, weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11;
-    reg weight_out_same_d1_copy8, not_weight_out_both_d1_copy2;
-    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy12, weight_out_chosen_bits_d1_copy13;
+    reg [18:0] weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8, weight_out_chosen_bits_d1_copy9;
+    reg weight_out_same_d1_copy8, not_weight_out_both_d1;
+    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11;
     reg [35:0] denominator_d1;
     reg [36:0] weight_out_sum_d1;
     reg weight_out_in_order_d1, not_weight_out_either_d1, not_weight_out_either_d2, not_weight_out_either_d3;
-    reg not_weight_out_either_d4;
+    reg not_weight_out_either_d4, weight_out_both_d1_copy5;
     reg [23:0] denominator_bits_d1, denominator_bits_d2, denominator_bits_d3, denominator_bits_d4;
     reg [23:0] denominator_bits_d5, denominator_bits_d6, denominator_bits_d7, denominator_bits_d8;
     reg [23:0] denominator_bits_d9, denominator_bits_d10, denominator_bits_d11, denominator_bits_d12;
@@ -1927,15 +1986,13 @@ module splat_evaluation (
     reg [11:0] y_bits_d1;
     reg weight_out_either_d1_copy4;
     reg [15:0] y_bits_d1_copy2;
-    reg weight_out_both_d1_copy5, weight_out_both_d2_copy2;
+    reg weight_out_both_d1_copy6, weight_out_both_d2_copy2;
     reg [3:0] weight_out_sum_bits_d1;
-    reg weight_out_both_d1_copy6, weight_out_both_d2_copy3;
+    reg weight_out_both_d1_copy7, weight_out_both_d2_copy3;
     reg [17:0] weight_out_sum_bits_d1_copy2;
-    reg weight_out_both_d1_copy7;
-    reg [15:0] weight_out_product_bits_d1;
-    reg covered_d1;
-    reg [15:0] weight_out_lesser_d1;
-    reg not_end_d1;
+    reg weight_out_both_d1_copy8;
+    reg [15:0] weight_out_product_bits_d1, weight_out_lesser_d1;
+    reg inside_out_d1;
     reg [36:0] in_flight;
 
     wire [25:0] queue_out_data;
@@ -1946,10 +2003,10 @@ module splat_evaluation (
     wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
 
-    wire end_or_last_or_inside_out_d20 = delay_20_from_0_out[3];
-    wire end_d37 = delay_20_from_0_out[0];
-    wire last_d37 = delay_20_from_0_out[1];
-    wire inside_out_d20 = delay_20_from_0_out[2];
+    wire end_or_last_or_inside_out_d19 = delay_19_from_0_out[3];
+    wire end_d37 = delay_19_from_0_out[0];
+    wire last_d37 = delay_19_from_0_out[1];
+    wire inside_out_d20 = delay_19_from_0_out[2];
     wire slot_d37 = delay_37_from_0_out[0];
     wire [5:0] pixel_out_d37 = delay_37_from_0_out[6:1];
     wire [26:0] x = ({17'd0, in_column, 1'd1} << 11) - {in_center_x[25], in_center_x};
@@ -1966,140 +2023,157 @@ module splat_evaluation (
     wire [31:0] s2 = mul_s16_s16_unit_copy3_y - mul_s16_s16_unit_copy4_y;
     wire [32:0] d_sum = {mul_s16_s16_unit_copy5_y[31], mul_s16_s16_unit_copy5_y} + d_shifted_d4;
     wire [32:0] d = {s1_chosen_times_my_d1[31], s1_chosen_times_my_d1} + d_sum_d1;
-    wire [32:0] not_d = ~d_d1;
-    wire [32:0] weight_out_chosen = d_d1[32] ? not_d : d_d1;
-    wire [31:0] not_s1 = ~s1_d1;
-    wire [31:0] weight_out_chosen_copy2 = s1_d1[31] ? not_s1 : s1_d1;
-    wire [31:0] not_s2 = ~s2_d1;
-    wire [31:0] weight_out_chosen_copy3 = s2_d1[31] ? not_s2 : s2_d1;
+    wire sight_turned_d6 = delay_6_from_0_out[1];
+    wire [32:0] weight_out_chosen_bits = {s1_d2[31], s1_d2};
+    wire [32:0] weight_out_chosen_copy2 = sight_turned_d6 ? weight_out_chosen_bits : d_d1;
+    wire [32:0] not_weight_out_chosen = ~weight_out_chosen_copy2;
+    wire [32:0] weight_out_chosen_copy3 = weight_out_chosen_copy2[32] ? not_weight_out_chosen : weight_out_chosen_copy2;
+    wire [32:0] weight_out_chosen = sight_turned_d6 ? d_d1 : weight_out_chosen_bits;
+    wire [32:0] not_weight_out_chosen_copy2 = ~weight_out_chosen;
+    wire [32:0] weight_out_chosen_copy4 = weight_out_chosen[32] ? not_weight_out_chosen_copy2 : weight_out_chosen;
+    wire [32:0] not_s2_bits = {s2_d1[31], s2_d1};
+    wire [32:0] not_s2 = ~not_s2_bits;
+    wire [32:0] weight_out_chosen_copy5 = s2_d1[31] ? not_s2 : not_s2_bits;
     wire weight_out_same = weight_out_chosen_bits_d1[31:16] == 16'd0;
-    wire weight_out_same_copy2 = 16'd0 == {1'd0, weight_out_chosen_bits_d1_copy2[30:16]};
-    wire weight_out_same_copy3 = 16'd0 == {1'd0, weight_out_chosen_bits_d1_copy4[30:16]};
-    wire weight_out_both = weight_out_same_d1_copy2 & weight_out_same_d1_copy3;
+    wire weight_out_same_copy2 = 16'd0 == weight_out_chosen_bits_d1_copy2[31:16];
+    wire weight_out_same_copy3 = 16'd0 == weight_out_chosen_bits_d1_copy3[31:16];
+    wire weight_out_both = weight_out_same_d1_copy2 & weight_out_same_d2;
     wire not_weight_out_both = ~weight_out_both;
-    wire weight_out_both_copy2 = weight_out_same_d1 & not_weight_out_both_d1;
-    wire [31:0] weight_out_chosen_copy4 = weight_out_same_d1 ? (weight_out_chosen_bits_d2 << 16) : weight_out_chosen_bits_d2;
-    wire [31:0] weight_out_chosen_copy5 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy2 << 16) : weight_out_chosen_bits_d2_copy2;
-    wire [31:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy3 << 16) : weight_out_chosen_bits_d2_copy3;
-    wire weight_out_chosen_bits_is_zero = weight_out_chosen_copy4[31:24] == 8'd0;
-    wire zero_is_weight_out_chosen_bits = 8'd0 == weight_out_chosen_copy5[31:24];
-    wire zero_is_weight_out_chosen_bits_copy2 = 8'd0 == weight_out_chosen_copy6[31:24];
+    wire weight_out_both_copy2 = weight_out_same_d1 & not_weight_out_both;
+    wire [31:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d2 << 16) : weight_out_chosen_bits_d2;
+    wire [31:0] weight_out_chosen_copy7 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy2 << 16) : weight_out_chosen_bits_d2_copy2;
+    wire [31:0] weight_out_chosen_copy8 = weight_out_same_d1 ? (weight_out_chosen_bits_d3 << 16) : weight_out_chosen_bits_d3;
+    wire weight_out_chosen_bits_is_zero = weight_out_chosen_copy6[31:24] == 8'd0;
+    wire zero_is_weight_out_chosen_bits = 8'd0 == weight_out_chosen_copy7[31:24];
+    wire zero_is_weight_out_chosen_bits_copy2 = 8'd0 == weight_out_chosen_copy8[31:24];
     wire weight_out_both_copy3 = zero_is_weight_out_chosen_bits_d1 & zero_is_weight_out_chosen_bits_d1_copy2;
     wire not_weight_out_both_copy2 = ~weight_out_both_copy3;
     wire weight_out_both_copy4 = weight_out_chosen_bits_is_zero_d1 & not_weight_out_both_copy2;
     wire weight_out_either = weight_out_both_d2 | weight_out_both_d1_copy2;
-    wire [31:0] weight_out_chosen_copy7 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1 << 8) : weight_out_chosen_d1;
-    wire [31:0] weight_out_chosen_copy8 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy2 << 8) : weight_out_chosen_d1_copy2;
-    wire [31:0] weight_out_chosen_copy9 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy3 << 8) : weight_out_chosen_d1_copy3;
-    wire weight_out_same_copy4 = weight_out_chosen_copy7[31:28] == 4'd0;
-    wire weight_out_same_copy5 = 4'd0 == weight_out_chosen_copy8[31:28];
-    wire weight_out_same_copy6 = 4'd0 == weight_out_chosen_copy9[31:28];
+    wire [31:0] weight_out_chosen_copy9 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1 << 8) : weight_out_chosen_d1;
+    wire [31:0] weight_out_chosen_copy10 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy2 << 8) : weight_out_chosen_d1_copy2;
+    wire [31:0] weight_out_chosen_copy11 = weight_out_chosen_bits_is_zero_d1 ? (weight_out_chosen_d1_copy3 << 8) : weight_out_chosen_d1_copy3;
+    wire weight_out_same_copy4 = weight_out_chosen_copy9[31:28] == 4'd0;
+    wire weight_out_same_copy5 = 4'd0 == weight_out_chosen_copy10[31:28];
+    wire weight_out_same_copy6 = 4'd0 == weight_out_chosen_copy11[31:28];
     wire weight_out_both_copy5 = weight_out_same_d1_copy5 & weight_out_same_d1_copy6;
     wire not_weight_out_both_copy3 = ~weight_out_both_copy5;
     wire weight_out_both_copy6 = weight_out_same_d1_copy4 & not_weight_out_both_copy3;
-    wire [24:0] weight_out_chosen_copy10 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 4) : weight_out_chosen_bits_d1_copy6;
-    wire weight_out_same_copy7 = weight_out_chosen_copy10[24:23] == 2'd0;
-    wire [24:0] weight_out_chosen_copy11 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy7 << 4) : weight_out_chosen_bits_d1_copy7;
-    wire weight_out_same_copy8 = 2'd0 == weight_out_chosen_copy11[24:23];
-    wire [24:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy8 << 4) : weight_out_chosen_bits_d1_copy8;
-    wire weight_out_same_copy9 = 2'd0 == weight_out_chosen_copy12[24:23];
+    wire [24:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy4 << 4) : weight_out_chosen_bits_d1_copy4;
+    wire weight_out_same_copy7 = weight_out_chosen_copy12[24:23] == 2'd0;
+    wire [24:0] weight_out_chosen_copy13 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy5 << 4) : weight_out_chosen_bits_d1_copy5;
+    wire weight_out_same_copy8 = 2'd0 == weight_out_chosen_copy13[24:23];
+    wire [24:0] weight_out_chosen_copy14 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 4) : weight_out_chosen_bits_d1_copy6;
+    wire weight_out_same_copy9 = 2'd0 == weight_out_chosen_copy14[24:23];
     wire weight_out_both_copy7 = weight_out_same_copy8 & weight_out_same_copy9;
     wire weight_out_either_copy2 = weight_out_either_d1 | weight_out_both_d1_copy3;
     wire not_weight_out_both_copy4 = ~weight_out_both_d1_copy4;
     wire weight_out_both_copy8 = weight_out_same_d1_copy7 & not_weight_out_both_copy4;
     wire weight_out_either_copy3 = weight_out_either_copy2 | weight_out_both_copy8;
-    wire [20:0] weight_out_chosen_copy13 = weight_out_same_copy7 ? (weight_out_chosen_copy10[24:4] << 2) : weight_out_chosen_copy10[24:4];
-    wire [20:0] weight_out_chosen_copy14 = weight_out_same_copy7 ? (weight_out_chosen_copy11[24:4] << 2) : weight_out_chosen_copy11[24:4];
     wire [20:0] weight_out_chosen_copy15 = weight_out_same_copy7 ? (weight_out_chosen_copy12[24:4] << 2) : weight_out_chosen_copy12[24:4];
-    wire weight_out_same_copy10 = ~weight_out_chosen_bits_d1_copy9[18];
-    wire weight_out_same_copy11 = ~weight_out_chosen_bits_d1_copy10[18];
-    wire weight_out_same_copy12 = ~weight_out_chosen_bits_d1_copy11[18];
+    wire [20:0] weight_out_chosen_copy16 = weight_out_same_copy7 ? (weight_out_chosen_copy13[24:4] << 2) : weight_out_chosen_copy13[24:4];
+    wire [20:0] weight_out_chosen_copy17 = weight_out_same_copy7 ? (weight_out_chosen_copy14[24:4] << 2) : weight_out_chosen_copy14[24:4];
+    wire weight_out_same_copy10 = ~weight_out_chosen_bits_d1_copy7[18];
+    wire weight_out_same_copy11 = ~weight_out_chosen_bits_d1_copy8[18];
+    wire weight_out_same_copy12 = ~weight_out_chosen_bits_d1_copy9[18];
     wire weight_out_both_copy9 = weight_out_same_copy11 & weight_out_same_copy12;
     wire not_weight_out_both_copy5 = ~weight_out_both_copy9;
-    wire [18:0] denominator_chosen = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy9 << 1) : weight_out_chosen_bits_d1_copy9;
-    wire [18:0] weight_out_chosen_copy16 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy10 << 1) : weight_out_chosen_bits_d1_copy10;
-    wire [18:0] weight_out_chosen_copy17 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy11 << 1) : weight_out_chosen_bits_d1_copy11;
+    wire [18:0] denominator_chosen = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy7 << 1) : weight_out_chosen_bits_d1_copy7;
+    wire [18:0] weight_out_chosen_copy18 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy8 << 1) : weight_out_chosen_bits_d1_copy8;
+    wire [18:0] weight_out_chosen_copy19 = weight_out_same_copy10 ? (weight_out_chosen_bits_d1_copy9 << 1) : weight_out_chosen_bits_d1_copy9;
     wire [36:0] weight_out_sum = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
     wire weight_out_in_order = weight_out_sum_d1 < {1'd0, denominator_d1};
-    wire weight_out_both_copy10 = weight_out_same_d1_copy8 & not_weight_out_both_d1_copy2;
+    wire weight_out_both_copy10 = weight_out_same_d1_copy8 & not_weight_out_both_d1;
     wire weight_out_either_copy4 = weight_out_either_d1_copy2 | weight_out_both_copy10;
     wire not_weight_out_either = ~weight_out_either_copy4;
+    wire weight_out_both_copy11 = weight_out_in_order_d1 & not_weight_out_either_d4;
+    wire weight_out_in_order_d9 = delay_9_from_0_out[0];
+    wire weight_out_both_copy12 = weight_out_both_copy11 & weight_out_in_order_d9;
+    wire weight_out_in_order_d9_copy2 = delay_9_from_0_out[1];
+    wire weight_out_both_copy13 = weight_out_both_copy12 & weight_out_in_order_d9_copy2;
     wire [23:0] weight_out_difference = weight_out_shifted_d1 - denominator_bits_d1;
     wire not_weight_out_difference_sign = ~weight_out_difference[23];
-    wire [23:0] weight_out_chosen_copy18 = weight_out_difference[23] ? weight_out_shifted_d1 : weight_out_difference;
+    wire [23:0] weight_out_chosen_copy20 = weight_out_difference[23] ? weight_out_shifted_d1 : weight_out_difference;
     wire [23:0] weight_out_difference_copy2 = weight_out_shifted_d1_copy2 - denominator_bits_d2;
     wire not_weight_out_difference_sign_copy2 = ~weight_out_difference_copy2[23];
-    wire [23:0] weight_out_chosen_copy19 = weight_out_difference_copy2[23] ? weight_out_shifted_d1_copy2 : weight_out_difference_copy2;
+    wire [23:0] weight_out_chosen_copy21 = weight_out_difference_copy2[23] ? weight_out_shifted_d1_copy2 : weight_out_difference_copy2;
     wire [23:0] weight_out_difference_copy3 = weight_out_shifted_d1_copy3 - denominator_bits_d3;
     wire not_weight_out_difference_sign_copy3 = ~weight_out_difference_copy3[23];
-    wire [23:0] weight_out_chosen_copy20 = weight_out_difference_copy3[23] ? weight_out_shifted_d1_copy3 : weight_out_difference_copy3;
+    wire [23:0] weight_out_chosen_copy22 = weight_out_difference_copy3[23] ? weight_out_shifted_d1_copy3 : weight_out_difference_copy3;
     wire [23:0] weight_out_difference_copy4 = weight_out_shifted_d1_copy4 - denominator_bits_d4;
     wire not_weight_out_difference_sign_copy4 = ~weight_out_difference_copy4[23];
-    wire [23:0] weight_out_chosen_copy21 = weight_out_difference_copy4[23] ? weight_out_shifted_d1_copy4 : weight_out_difference_copy4;
+    wire [23:0] weight_out_chosen_copy23 = weight_out_difference_copy4[23] ? weight_out_shifted_d1_copy4 : weight_out_difference_copy4;
     wire [23:0] weight_out_difference_copy5 = weight_out_shifted_d1_copy5 - denominator_bits_d5;
     wire not_weight_out_difference_sign_copy5 = ~weight_out_difference_copy5[23];
-    wire [23:0] weight_out_chosen_copy22 = weight_out_difference_copy5[23] ? weight_out_shifted_d1_copy5 : weight_out_difference_copy5;
+    wire [23:0] weight_out_chosen_copy24 = weight_out_difference_copy5[23] ? weight_out_shifted_d1_copy5 : weight_out_difference_copy5;
     wire [23:0] weight_out_difference_copy6 = weight_out_shifted_d1_copy6 - denominator_bits_d6;
     wire not_weight_out_difference_sign_copy6 = ~weight_out_difference_copy6[23];
-    wire [23:0] weight_out_chosen_copy23 = weight_out_difference_copy6[23] ? weight_out_shifted_d1_copy6 : weight_out_difference_copy6;
+    wire [23:0] weight_out_chosen_copy25 = weight_out_difference_copy6[23] ? weight_out_shifted_d1_copy6 : weight_out_difference_copy6;
     wire [23:0] weight_out_difference_copy7 = weight_out_shifted_d1_copy7 - denominator_bits_d7;
     wire not_weight_out_difference_sign_copy7 = ~weight_out_difference_copy7[23];
-    wire [23:0] weight_out_chosen_copy24 = weight_out_difference_copy7[23] ? weight_out_shifted_d1_copy7 : weight_out_difference_copy7;
+    wire [23:0] weight_out_chosen_copy26 = weight_out_difference_copy7[23] ? weight_out_shifted_d1_copy7 : weight_out_difference_copy7;
     wire [23:0] weight_out_difference_copy8 = weight_out_shifted_d1_copy8 - denominator_bits_d8;
     wire not_weight_out_difference_sign_copy8 = ~weight_out_difference_copy8[23];
-    wire [23:0] weight_out_chosen_copy25 = weight_out_difference_copy8[23] ? weight_out_shifted_d1_copy8 : weight_out_difference_copy8;
+    wire [23:0] weight_out_chosen_copy27 = weight_out_difference_copy8[23] ? weight_out_shifted_d1_copy8 : weight_out_difference_copy8;
     wire [23:0] weight_out_difference_copy9 = weight_out_shifted_d1_copy9 - denominator_bits_d9;
     wire not_weight_out_difference_sign_copy9 = ~weight_out_difference_copy9[23];
-    wire [23:0] weight_out_chosen_copy26 = weight_out_difference_copy9[23] ? weight_out_shifted_d1_copy9 : weight_out_difference_copy9;
+    wire [23:0] weight_out_chosen_copy28 = weight_out_difference_copy9[23] ? weight_out_shifted_d1_copy9 : weight_out_difference_copy9;
     wire [23:0] weight_out_difference_copy10 = weight_out_shifted_d1_copy10 - denominator_bits_d10;
     wire not_weight_out_difference_sign_copy10 = ~weight_out_difference_copy10[23];
-    wire [23:0] weight_out_chosen_copy27 = weight_out_difference_copy10[23] ? weight_out_shifted_d1_copy10 : weight_out_difference_copy10;
+    wire [23:0] weight_out_chosen_copy29 = weight_out_difference_copy10[23] ? weight_out_shifted_d1_copy10 : weight_out_difference_copy10;
     wire [23:0] weight_out_difference_copy11 = weight_out_shifted_d1_copy11 - denominator_bits_d11;
     wire not_weight_out_difference_sign_copy11 = ~weight_out_difference_copy11[23];
-    wire [23:0] weight_out_chosen_copy28 = weight_out_difference_copy11[23] ? weight_out_shifted_d1_copy11 : weight_out_difference_copy11;
+    wire [23:0] weight_out_chosen_copy30 = weight_out_difference_copy11[23] ? weight_out_shifted_d1_copy11 : weight_out_difference_copy11;
     wire [23:0] weight_out_difference_copy12 = weight_out_shifted_d1_copy12 - denominator_bits_d12;
     wire not_weight_out_difference_sign_copy12 = ~weight_out_difference_copy12[23];
-    wire [23:0] weight_out_chosen_copy29 = weight_out_difference_copy12[23] ? weight_out_shifted_d1_copy12 : weight_out_difference_copy12;
+    wire [23:0] weight_out_chosen_copy31 = weight_out_difference_copy12[23] ? weight_out_shifted_d1_copy12 : weight_out_difference_copy12;
     wire [23:0] weight_out_difference_copy13 = weight_out_shifted_d1_copy13 - denominator_bits_d13;
     wire not_weight_out_difference_sign_copy13 = ~weight_out_difference_copy13[23];
-    wire [23:0] weight_out_chosen_copy30 = weight_out_difference_copy13[23] ? weight_out_shifted_d1_copy13 : weight_out_difference_copy13;
+    wire [23:0] weight_out_chosen_copy32 = weight_out_difference_copy13[23] ? weight_out_shifted_d1_copy13 : weight_out_difference_copy13;
     wire [23:0] weight_out_difference_copy14 = weight_out_shifted_d1_copy14 - denominator_bits_d14;
     wire not_weight_out_difference_sign_copy14 = ~weight_out_difference_copy14[23];
-    wire [23:0] weight_out_chosen_copy31 = weight_out_difference_copy14[23] ? weight_out_shifted_d1_copy14 : weight_out_difference_copy14;
+    wire [23:0] weight_out_chosen_copy33 = weight_out_difference_copy14[23] ? weight_out_shifted_d1_copy14 : weight_out_difference_copy14;
     wire [23:0] weight_out_difference_copy15 = weight_out_shifted_d1_copy15 - denominator_bits_d15;
     wire not_weight_out_difference_sign_copy15 = ~weight_out_difference_copy15[23];
-    wire [23:0] weight_out_chosen_copy32 = weight_out_difference_copy15[23] ? weight_out_shifted_d1_copy15 : weight_out_difference_copy15;
+    wire [23:0] weight_out_chosen_copy34 = weight_out_difference_copy15[23] ? weight_out_shifted_d1_copy15 : weight_out_difference_copy15;
     wire [23:0] weight_out_difference_copy16 = weight_out_shifted_d1_copy16 - denominator_bits_d16;
     wire not_weight_out_difference_sign_copy16 = ~weight_out_difference_copy16[23];
-    wire [15:0] weight_out_chosen_copy33 = delay_15_from_0_out ? weight_out_joined_d1_copy15 : 16'hffff;
+    wire [15:0] weight_out_chosen_copy35 = delay_14_from_0_out ? weight_out_joined_d1_copy15 : 16'hffff;
     wire x_bits_is_zero = x_bits_d1 == 12'd0;
     wire weight_out_same_copy13 = x_bits_d1 == 12'hfff;
     wire weight_out_either_copy5 = x_bits_is_zero | weight_out_same_copy13;
     wire zero_is_y_bits = 12'd0 == y_bits_d1;
     wire weight_out_same_copy14 = 12'hfff == y_bits_d1;
     wire weight_out_either_copy6 = zero_is_y_bits | weight_out_same_copy14;
-    wire weight_out_both_copy13 = weight_out_either_d1_copy3 & weight_out_either_d1_copy4;
+    wire weight_out_both_copy15 = weight_out_either_d1_copy3 & weight_out_either_d1_copy4;
     wire [31:0] weight_out_sum_copy2 = mul_s16_s16_unit_copy7_y + mul_s16_s16_unit_copy8_y;
     wire zero_is_weight_out_sum_bits = 4'd0 == weight_out_sum_bits_d1;
-    wire weight_out_both_copy14 = weight_out_both_d2_copy2 & zero_is_weight_out_sum_bits;
+    wire weight_out_both_copy16 = weight_out_both_d2_copy2 & zero_is_weight_out_sum_bits;
     wire weight_out_same_copy15 = 8'd0 == mul_u18_u16_unit_y[33:26];
-    wire weight_out_both_copy15 = weight_out_both_d2_copy3 & weight_out_same_copy15;
-    wire weight_out_both_copy11 = weight_out_in_order_d1 & not_weight_out_either_d4;
-    wire weight_out_both_copy12 = weight_out_both_copy11 & delay_10_from_0_out;
-    wire covered = weight_out_both_copy12 | delay_9_from_0_out;
+    wire weight_out_both_copy17 = weight_out_both_d2_copy3 & weight_out_same_copy15;
     wire [15:0] weight_out_lesser = (delay_25_from_0_out < weight_out_chosen_d1_copy4) ? delay_25_from_0_out : weight_out_chosen_d1_copy4;
-    wire not_end = ~delay_16_from_0_out;
-    wire weight_out_unequal = d_d1[32] ^ delay_6_from_0_out;
+    wire weight_out_both_copy14 = weight_out_both_d1_copy5 & delay_11_from_0_out;
+    wire covered = weight_out_both_copy14 | delay_10_from_0_out;
+    wire not_end = ~delay_17_from_0_out;
+    wire inside_out = covered & not_end;
+    wire [19:0] sight_far_d7 = delay_7_from_0_out[39:20];
+    wire weight_out_in_order_copy3 = ~(weight_out_chosen_bits_d1[31:12] < sight_far_d7);
+    wire [19:0] sight_near_d7 = delay_7_from_0_out[19:0];
+    wire weight_out_in_order_copy2 = ~(sight_near_d7 < weight_out_chosen_bits_d1[31:12]);
+    wire sight_disc_d7 = delay_7_from_0_out[40];
+    wire sight_disc_and_weight_out_both = sight_disc_d7 & weight_out_both_d1_copy8;
+    wire sight_negative_d6 = delay_6_from_0_out[0];
+    wire weight_out_unequal = sight_negative_d6 ^ weight_out_chosen_copy2[32];
     wire not_weight_out_unequal = ~weight_out_unequal;
-    wire inside_out = covered_d1 & not_end_d1;
-    wire last_or_inside_out = delay_17_from_0_out | inside_out;
-    wire end_or_last_or_inside_out = end_d17 | last_or_inside_out;
-    wire [15:0] weight_out_chosen_copy34 = weight_out_both_d1_copy7 ? weight_out_product_bits_d1 : 16'hffff;
+    wire last_or_inside_out = delay_18_from_0_out | inside_out_d1;
+    wire end_or_last_or_inside_out = end_d18 | last_or_inside_out;
+    wire [15:0] weight_out_chosen_copy36 = weight_out_both_d1_copy8 ? weight_out_product_bits_d1 : 16'hffff;
+    wire [15:0] weight_out_chosen_copy37 = sight_disc_and_weight_out_both ? weight_out_chosen_copy36 : 16'hffff;
 
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[36] & end_or_last_or_inside_out_d20), .in_ready(in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[36] & end_or_last_or_inside_out_d19), .in_ready(in_ready),
         .in_data({end_d37, last_d37, inside_out_d20, slot_d37, pixel_out_d37, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -2142,13 +2216,13 @@ module splat_evaluation (
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy12),
-        .b(weight_out_chosen_bits_d1_copy12), .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy10),
+        .b(weight_out_chosen_bits_d1_copy10), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy13),
-        .b(weight_out_chosen_bits_d1_copy13), .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy11),
+        .b(weight_out_chosen_bits_d1_copy11), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
@@ -2163,23 +2237,27 @@ module splat_evaluation (
     always @(posedge clk) begin
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
-            delay_15_from_0_pointer <= 4'd0;
-            delay_16_from_0_pointer <= 4'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            delay_14_from_0_pointer <= 4'd0;
             delay_17_from_0_pointer <= 4'd0;
-            delay_20_from_0_pointer <= 5'd0;
+            delay_18_from_0_pointer <= 5'd0;
+            delay_19_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
             delay_37_from_0_pointer <= 6'd0;
             in_flight <= 37'd0;
         end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
-            delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
+            delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+            delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
             delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-            delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+            delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
+            delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
             delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
             in_flight <= {in_flight[35:0], in_valid};
@@ -2187,7 +2265,7 @@ module splat_evaluation (
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            end_d17 <= delay_16_from_0_out;
+            end_d18 <= delay_17_from_0_out;
             s1_chosen_d1 <= s1_chosen[22:0];
             shift_bits_d1 <= in_shift[2];
             shift_bits_d1_copy2 <= in_shift[1];
@@ -2200,6 +2278,7 @@ module splat_evaluation (
             ax_d1 <= in_ax;
             ax_d2 <= ax_d1;
             s1_d1 <= s1;
+            s1_d2 <= s1_d1;
             by_d1 <= in_by;
             by_d2 <= by_d1;
             bx_d1 <= in_bx;
@@ -2216,31 +2295,30 @@ module splat_evaluation (
             d_shifted_d4 <= d_shifted_d3;
             d_sum_d1 <= d_sum;
             d_d1 <= d;
-            weight_out_chosen_bits_d1 <= weight_out_chosen[31:0];
+            weight_out_chosen_bits_d1 <= weight_out_chosen_copy3[31:0];
             weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
-            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[30:0];
-            weight_out_chosen_bits_d1_copy3 <= {1'd0, weight_out_chosen_bits_d1_copy2};
-            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy3;
-            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy3[30:0];
-            weight_out_chosen_bits_d1_copy5 <= {1'd0, weight_out_chosen_bits_d1_copy4};
-            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy5;
+            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy4[31:0];
+            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy2;
+            weight_out_chosen_bits_d1_copy3 <= weight_out_chosen_copy5[31:0];
+            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy3;
+            weight_out_chosen_bits_d3 <= weight_out_chosen_bits_d2_copy3;
             weight_out_same_d1 <= weight_out_same;
             weight_out_same_d1_copy2 <= weight_out_same_copy2;
             weight_out_same_d1_copy3 <= weight_out_same_copy3;
-            not_weight_out_both_d1 <= not_weight_out_both;
+            weight_out_same_d2 <= weight_out_same_d1_copy3;
             weight_out_both_d1 <= weight_out_both_copy2;
             weight_out_both_d2 <= weight_out_both_d1;
-            weight_out_chosen_d1 <= weight_out_chosen_copy4;
-            weight_out_chosen_d1_copy2 <= weight_out_chosen_copy5;
-            weight_out_chosen_d1_copy3 <= weight_out_chosen_copy6;
+            weight_out_chosen_d1 <= weight_out_chosen_copy6;
+            weight_out_chosen_d1_copy2 <= weight_out_chosen_copy7;
+            weight_out_chosen_d1_copy3 <= weight_out_chosen_copy8;
             weight_out_chosen_bits_is_zero_d1 <= weight_out_chosen_bits_is_zero;
             zero_is_weight_out_chosen_bits_d1 <= zero_is_weight_out_chosen_bits;
             zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
             weight_out_both_d1_copy2 <= weight_out_both_copy4;
             weight_out_either_d1 <= weight_out_either;
-            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy7[31:7];
-            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy8[31:7];
-            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy9[31:7];
+            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy9[31:7];
+            weight_out_chosen_bits_d1_copy5 <= weight_out_chosen_copy10[31:7];
+            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy11[31:7];
             weight_out_same_d1_copy4 <= weight_out_same_copy4;
             weight_out_same_d1_copy5 <= weight_out_same_copy5;
             weight_out_same_d1_copy6 <= weight_out_same_copy6;
@@ -2248,14 +2326,14 @@ module splat_evaluation (
             weight_out_same_d1_copy7 <= weight_out_same_copy7;
             weight_out_both_d1_copy4 <= weight_out_both_copy7;
             weight_out_either_d1_copy2 <= weight_out_either_copy3;
-            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy13[20:2];
-            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy14[20:2];
-            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy15[20:2];
+            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy15[20:2];
+            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy16[20:2];
+            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy17[20:2];
             weight_out_same_d1_copy8 <= weight_out_same_copy10;
-            not_weight_out_both_d1_copy2 <= not_weight_out_both_copy5;
+            not_weight_out_both_d1 <= not_weight_out_both_copy5;
             denominator_chosen_bits_d1 <= denominator_chosen[18:1];
-            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy16[18:1];
-            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy17[18:1];
+            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy18[18:1];
+            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy19[18:1];
             denominator_d1 <= mul_u18_u18_unit_y;
             weight_out_sum_d1 <= weight_out_sum;
             weight_out_in_order_d1 <= weight_out_in_order;
@@ -2263,6 +2341,7 @@ module splat_evaluation (
             not_weight_out_either_d2 <= not_weight_out_either_d1;
             not_weight_out_either_d3 <= not_weight_out_either_d2;
             not_weight_out_either_d4 <= not_weight_out_either_d3;
+            weight_out_both_d1_copy5 <= weight_out_both_copy13;
             denominator_bits_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
             denominator_bits_d2 <= denominator_bits_d1;
             denominator_bits_d3 <= denominator_bits_d2;
@@ -2281,88 +2360,101 @@ module splat_evaluation (
             denominator_bits_d16 <= denominator_bits_d15;
             weight_out_shifted_d1 <= {2'd0, weight_out_sum[35:14]} << 1;
             not_weight_out_difference_sign_d1 <= not_weight_out_difference_sign;
-            weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy18[21:0]} << 1;
+            weight_out_shifted_d1_copy2 <= {2'd0, weight_out_chosen_copy20[21:0]} << 1;
             weight_out_joined_d1 <= {not_weight_out_difference_sign_d1, not_weight_out_difference_sign_copy2};
-            weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy19[21:0]} << 1;
+            weight_out_shifted_d1_copy3 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
             weight_out_joined_d1_copy2 <= {weight_out_joined_d1, not_weight_out_difference_sign_copy3};
-            weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy20[21:0]} << 1;
+            weight_out_shifted_d1_copy4 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
             weight_out_joined_d1_copy3 <= {weight_out_joined_d1_copy2, not_weight_out_difference_sign_copy4};
-            weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy21[21:0]} << 1;
+            weight_out_shifted_d1_copy5 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
             weight_out_joined_d1_copy4 <= {weight_out_joined_d1_copy3, not_weight_out_difference_sign_copy5};
-            weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy22[21:0]} << 1;
+            weight_out_shifted_d1_copy6 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
             weight_out_joined_d1_copy5 <= {weight_out_joined_d1_copy4, not_weight_out_difference_sign_copy6};
-            weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy23[21:0]} << 1;
+            weight_out_shifted_d1_copy7 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
             weight_out_joined_d1_copy6 <= {weight_out_joined_d1_copy5, not_weight_out_difference_sign_copy7};
-            weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy24[21:0]} << 1;
+            weight_out_shifted_d1_copy8 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
             weight_out_joined_d1_copy7 <= {weight_out_joined_d1_copy6, not_weight_out_difference_sign_copy8};
-            weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy25[21:0]} << 1;
+            weight_out_shifted_d1_copy9 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
             weight_out_joined_d1_copy8 <= {weight_out_joined_d1_copy7, not_weight_out_difference_sign_copy9};
-            weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy26[21:0]} << 1;
+            weight_out_shifted_d1_copy10 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
             weight_out_joined_d1_copy9 <= {weight_out_joined_d1_copy8, not_weight_out_difference_sign_copy10};
-            weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy27[21:0]} << 1;
+            weight_out_shifted_d1_copy11 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
             weight_out_joined_d1_copy10 <= {weight_out_joined_d1_copy9, not_weight_out_difference_sign_copy11};
-            weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy28[21:0]} << 1;
+            weight_out_shifted_d1_copy12 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
             weight_out_joined_d1_copy11 <= {weight_out_joined_d1_copy10, not_weight_out_difference_sign_copy12};
-            weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy29[21:0]} << 1;
+            weight_out_shifted_d1_copy13 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
             weight_out_joined_d1_copy12 <= {weight_out_joined_d1_copy11, not_weight_out_difference_sign_copy13};
-            weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy30[21:0]} << 1;
+            weight_out_shifted_d1_copy14 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
             weight_out_joined_d1_copy13 <= {weight_out_joined_d1_copy12, not_weight_out_difference_sign_copy14};
-            weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy31[21:0]} << 1;
+            weight_out_shifted_d1_copy15 <= {2'd0, weight_out_chosen_copy33[21:0]} << 1;
             weight_out_joined_d1_copy14 <= {weight_out_joined_d1_copy13, not_weight_out_difference_sign_copy15};
-            weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy32[21:0]} << 1;
+            weight_out_shifted_d1_copy16 <= {2'd0, weight_out_chosen_copy34[21:0]} << 1;
             weight_out_joined_d1_copy15 <= {weight_out_joined_d1_copy14, not_weight_out_difference_sign_copy16};
-            weight_out_chosen_d1_copy4 <= weight_out_chosen_copy33;
+            weight_out_chosen_d1_copy4 <= weight_out_chosen_copy35;
             x_bits_d1 <= x[26:15];
             weight_out_either_d1_copy3 <= weight_out_either_copy5;
             x_bits_d1_copy2 <= x[15:0];
             y_bits_d1 <= y[26:15];
             weight_out_either_d1_copy4 <= weight_out_either_copy6;
             y_bits_d1_copy2 <= y[15:0];
-            weight_out_both_d1_copy5 <= weight_out_both_copy13;
-            weight_out_both_d2_copy2 <= weight_out_both_d1_copy5;
+            weight_out_both_d1_copy6 <= weight_out_both_copy15;
+            weight_out_both_d2_copy2 <= weight_out_both_d1_copy6;
             weight_out_sum_bits_d1 <= weight_out_sum_copy2[31:28];
-            weight_out_both_d1_copy6 <= weight_out_both_copy14;
-            weight_out_both_d2_copy3 <= weight_out_both_d1_copy6;
+            weight_out_both_d1_copy7 <= weight_out_both_copy16;
+            weight_out_both_d2_copy3 <= weight_out_both_d1_copy7;
             weight_out_sum_bits_d1_copy2 <= weight_out_sum_copy2[27:10];
-            weight_out_both_d1_copy7 <= weight_out_both_copy15;
+            weight_out_both_d1_copy8 <= weight_out_both_copy17;
             weight_out_product_bits_d1 <= mul_u18_u16_unit_y[25:10];
-            covered_d1 <= covered;
             weight_out_lesser_d1 <= weight_out_lesser;
-            not_end_d1 <= not_end;
+            inside_out_d1 <= inside_out;
         end
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
-        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_9_from_0[delay_9_from_0_pointer] <= weight_out_both_d1_copy7;
-        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_weight_out_unequal;
-        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_15_from_0[delay_15_from_0_pointer] <= weight_out_both_copy12;
-        if (in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_16_from_0[delay_16_from_0_pointer] <= in_end;
-        if (in_ready) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_17_from_0[delay_17_from_0_pointer] <= in_last;
-        if (in_ready) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_17_from_0_out, end_d17};
+            delay_6_from_0[delay_6_from_0_pointer] <= {in_sight_turned, in_sight_negative};
         end
-        if (in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= weight_out_chosen_copy34;
+        if (in_ready) begin
+            delay_7_from_0[delay_7_from_0_pointer] <= {in_sight_disc, in_sight_far, in_sight_near};
+        end
+        if (in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            delay_9_from_0[delay_9_from_0_pointer] <= {weight_out_in_order_copy3, weight_out_in_order_copy2};
+        end
+        if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_10_from_0[delay_10_from_0_pointer] <= sight_disc_and_weight_out_both;
+        if (in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_11_from_0[delay_11_from_0_pointer] <= not_weight_out_unequal;
+        if (in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_14_from_0[delay_14_from_0_pointer] <= weight_out_both_copy14;
+        if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_17_from_0[delay_17_from_0_pointer] <= in_end;
+        if (in_ready) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_18_from_0[delay_18_from_0_pointer] <= in_last;
+        if (in_ready) delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            delay_19_from_0[delay_19_from_0_pointer] <= {end_or_last_or_inside_out, inside_out_d1, delay_18_from_0_out, end_d18};
+        end
+        if (in_ready) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= weight_out_chosen_copy37;
         if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -2375,17 +2467,17 @@ module splat_evaluation (
     wire _unused = &{
         1'b0, denominator_chosen[0], mul_u18_u16_unit_y[9:0], s1_chosen[26:23], s1_chosen_copy2[22:19],
         s1_chosen_copy3[18:17], s1_chosen_copy4[16], s1_chosen_copy5[26:23], s1_chosen_copy6[22:19],
-        s1_chosen_copy7[18:17], s1_chosen_copy8[16], weight_out_chosen[32], weight_out_chosen_copy10[3:0],
-        weight_out_chosen_copy11[3:0], weight_out_chosen_copy12[3:0], weight_out_chosen_copy13[1:0],
-        weight_out_chosen_copy14[1:0], weight_out_chosen_copy15[1:0], weight_out_chosen_copy16[0],
-        weight_out_chosen_copy17[0], weight_out_chosen_copy18[23:22], weight_out_chosen_copy19[23:22],
-        weight_out_chosen_copy2[31], weight_out_chosen_copy20[23:22], weight_out_chosen_copy21[23:22],
-        weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22],
-        weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22],
-        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[31],
-        weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22],
-        weight_out_chosen_copy7[6:0], weight_out_chosen_copy8[6:0], weight_out_chosen_copy9[6:0],
-        weight_out_difference_copy16[22:0], weight_out_sum_copy2[9:0]
+        s1_chosen_copy7[18:17], s1_chosen_copy8[16], weight_out_chosen_copy10[6:0],
+        weight_out_chosen_copy11[6:0], weight_out_chosen_copy12[3:0], weight_out_chosen_copy13[3:0],
+        weight_out_chosen_copy14[3:0], weight_out_chosen_copy15[1:0], weight_out_chosen_copy16[1:0],
+        weight_out_chosen_copy17[1:0], weight_out_chosen_copy18[0], weight_out_chosen_copy19[0],
+        weight_out_chosen_copy20[23:22], weight_out_chosen_copy21[23:22], weight_out_chosen_copy22[23:22],
+        weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22], weight_out_chosen_copy25[23:22],
+        weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22], weight_out_chosen_copy28[23:22],
+        weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[32], weight_out_chosen_copy30[23:22],
+        weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22], weight_out_chosen_copy33[23:22],
+        weight_out_chosen_copy34[23:22], weight_out_chosen_copy4[32], weight_out_chosen_copy5[32],
+        weight_out_chosen_copy9[6:0], weight_out_difference_copy16[22:0], weight_out_sum_copy2[9:0]
     };
 endmodule
 
@@ -2800,6 +2892,11 @@ module splat_tile_cache (
     input  wire [15:0] in_mx,  // `m` in x.
     input  wire [15:0] in_my,  // `m` in y.
     input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [19:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [19:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -2823,6 +2920,11 @@ module splat_tile_cache (
     output wire [15:0] out_mx,  // `m` in x.
     output wire [15:0] out_my,  // `m` in y.
     output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [19:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [19:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -2893,6 +2995,11 @@ module splat_tile_cache (
     reg [15:0] head_mx;  // `m` in x.
     reg [15:0] head_my;  // `m` in y.
     reg [3:0] head_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg head_sight_negative;  // `D` is negative before the eye.
+    reg [19:0] head_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [19:0] head_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg head_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg head_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] head_depth;  // Depth.
     reg [23:0] head_depth_low;  // What is nearer hides the splat.
     reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
@@ -2929,9 +3036,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [304:0] in_queue_out_data;
+    wire [347:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [305:0] out_queue_out_data;
+    wire [348:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [217:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -2963,17 +3070,22 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[304];
-    wire [25:0] in_queue_out_center_x = in_queue_out_data[303:278];
-    wire [25:0] in_queue_out_center_y = in_queue_out_data[277:252];
-    wire [15:0] in_queue_out_ax = in_queue_out_data[251:236];
-    wire [15:0] in_queue_out_bx = in_queue_out_data[235:220];
-    wire [15:0] in_queue_out_ay = in_queue_out_data[219:204];
-    wire [15:0] in_queue_out_by = in_queue_out_data[203:188];
-    wire [19:0] in_queue_out_delta = in_queue_out_data[187:168];
-    wire [15:0] in_queue_out_mx = in_queue_out_data[167:152];
-    wire [15:0] in_queue_out_my = in_queue_out_data[151:136];
-    wire [3:0] in_queue_out_shift = in_queue_out_data[135:132];
+    wire in_queue_out_end = in_queue_out_data[347];
+    wire [25:0] in_queue_out_center_x = in_queue_out_data[346:321];
+    wire [25:0] in_queue_out_center_y = in_queue_out_data[320:295];
+    wire [15:0] in_queue_out_ax = in_queue_out_data[294:279];
+    wire [15:0] in_queue_out_bx = in_queue_out_data[278:263];
+    wire [15:0] in_queue_out_ay = in_queue_out_data[262:247];
+    wire [15:0] in_queue_out_by = in_queue_out_data[246:231];
+    wire [19:0] in_queue_out_delta = in_queue_out_data[230:211];
+    wire [15:0] in_queue_out_mx = in_queue_out_data[210:195];
+    wire [15:0] in_queue_out_my = in_queue_out_data[194:179];
+    wire [3:0] in_queue_out_shift = in_queue_out_data[178:175];
+    wire in_queue_out_sight_negative = in_queue_out_data[174];
+    wire [19:0] in_queue_out_sight_near = in_queue_out_data[173:154];
+    wire [19:0] in_queue_out_sight_far = in_queue_out_data[153:134];
+    wire in_queue_out_sight_turned = in_queue_out_data[133];
+    wire in_queue_out_sight_disc = in_queue_out_data[132];
     wire [23:0] in_queue_out_depth = in_queue_out_data[131:108];
     wire [23:0] in_queue_out_depth_low = in_queue_out_data[107:84];
     wire [23:0] in_queue_out_depth_high = in_queue_out_data[83:60];
@@ -3015,8 +3127,9 @@ module splat_tile_cache (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile, out_slot
+        out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
+        out_right, out_top, out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -3039,21 +3152,23 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w305 in_queue (
+    stream_half_buffer_w348 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
-            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_tile
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
+            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left, in_right,
+            in_top, in_bottom, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w306 out_queue (
+    stream_half_buffer_w349 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
+            head_my, head_shift, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned,
+            head_sight_disc, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
             head_attribute_2, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
@@ -3141,6 +3256,11 @@ module splat_tile_cache (
             head_mx <= in_queue_out_mx;
             head_my <= in_queue_out_my;
             head_shift <= in_queue_out_shift;
+            head_sight_negative <= in_queue_out_sight_negative;
+            head_sight_near <= in_queue_out_sight_near;
+            head_sight_far <= in_queue_out_sight_far;
+            head_sight_turned <= in_queue_out_sight_turned;
+            head_sight_disc <= in_queue_out_sight_disc;
             head_depth <= in_queue_out_depth;
             head_depth_low <= in_queue_out_depth_low;
             head_depth_high <= in_queue_out_depth_high;
@@ -3289,14 +3409,14 @@ module stream_skid_w218 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 306
-module stream_half_buffer_w306 (
+// width = 349
+module stream_half_buffer_w349 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [305:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [305:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [348:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [348:0] out_data
 );
     reg full;
-    reg [305:0] item;
+    reg [348:0] item;
 
     assign in_ready = ~full;
 
@@ -3326,6 +3446,11 @@ module splat_reorder (
     input  wire [15:0] in_mx,  // `m` in x.
     input  wire [15:0] in_my,  // `m` in y.
     input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [19:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [19:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -3349,6 +3474,11 @@ module splat_reorder (
     output wire [15:0] out_mx,  // `m` in x.
     output wire [15:0] out_my,  // `m` in y.
     output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [19:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [19:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -3366,14 +3496,14 @@ module splat_reorder (
     reg [10:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [291:0] stage_payload;
+    wire [334:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [304:0] in_queue_out_data;
+    wire [347:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [304:0] out_queue_out_data;
+    wire [347:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [304:0] caught_out_data;
+    wire [347:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile;
     wire [9:0] heap_out_pointer;
@@ -3381,7 +3511,7 @@ module splat_reorder (
     wire [9:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[304];
+    wire in_queue_out_end = in_queue_out_data[347];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -3395,32 +3525,34 @@ module splat_reorder (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+        out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
+        out_right, out_top, out_bottom, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(292), .DEPTH(1024), .SLICE(18)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[303:12]),
+    memory_1w1r_unordered #(.WIDTH(335), .DEPTH(1024), .SLICE(18)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[346:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w305 in_queue (
+    stream_half_buffer_w348 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
-            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_tile
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
+            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left, in_right,
+            in_top, in_bottom, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w305 out_queue (
+    stream_half_buffer_w348 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w305 caught (
+    stream_half_buffer_w348 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -4585,6 +4717,11 @@ module splat_splitter (
     input  wire [15:0] in_mx,  // `m` in x.
     input  wire [15:0] in_my,  // `m` in y.
     input  wire [3:0] in_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [19:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [19:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -4607,6 +4744,11 @@ module splat_splitter (
     output wire [15:0] out_mx,  // `m` in x.
     output wire [15:0] out_my,  // `m` in y.
     output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [19:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [19:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4631,6 +4773,11 @@ module splat_splitter (
     reg [15:0] splat_mx;  // `m` in x.
     reg [15:0] splat_my;  // `m` in y.
     reg [3:0] splat_shift;  // In fixed point, places by which offsets from the centre are shifted.
+    reg splat_sight_negative;  // `D` is negative before the eye.
+    reg [19:0] splat_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [19:0] splat_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg splat_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg splat_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] splat_depth;  // Depth.
     reg [23:0] splat_depth_low;  // What is nearer hides the splat.
     reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
@@ -4644,7 +4791,7 @@ module splat_splitter (
     reg [5:0] column, row;
 
     wire out_queue_in_ready;
-    wire [304:0] out_queue_out_data;
+    wire [347:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
@@ -4657,17 +4804,20 @@ module splat_splitter (
     assign in_ready = ready;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+        out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
+        out_right, out_top, out_bottom, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w305 out_queue (
+    stream_half_buffer_w348 out_queue (
         .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
-            splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
-            splat_attribute_1, splat_attribute_2, (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0,
-            right_most ? splat_right[2:0] : 3'd7, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
+            splat_mx, splat_my, splat_shift, splat_sight_negative, splat_sight_near, splat_sight_far,
+            splat_sight_turned, splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high,
+            splat_attribute_0, splat_attribute_1, splat_attribute_2,
+            (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0, right_most ? splat_right[2:0] : 3'd7,
+            (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
             (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
@@ -4700,6 +4850,11 @@ module splat_splitter (
             splat_mx <= in_mx;
             splat_my <= in_my;
             splat_shift <= in_shift;
+            splat_sight_negative <= in_sight_negative;
+            splat_sight_near <= in_sight_near;
+            splat_sight_far <= in_sight_far;
+            splat_sight_turned <= in_sight_turned;
+            splat_sight_disc <= in_sight_disc;
             splat_depth <= in_depth;
             splat_depth_low <= in_depth_low;
             splat_depth_high <= in_depth_high;
@@ -4715,14 +4870,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 305
-module stream_half_buffer_w305 (
+// width = 348
+module stream_half_buffer_w348 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [304:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [304:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [347:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [347:0] out_data
 );
     reg full;
-    reg [304:0] item;
+    reg [347:0] item;
 
     assign in_ready = ~full;
 
@@ -4737,7 +4892,7 @@ module stream_half_buffer_w305 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 161
+// latency = 176
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
@@ -4755,15 +4910,16 @@ module splat_setup (
     input  wire [11:0] in_attribute_0,  // Attributes.
     input  wire [11:0] in_attribute_1,  // Attributes.
     input  wire [11:0] in_attribute_2,  // Attributes.
+    input  wire [23:0] near_plane,  // Near plane.
     input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
     input  wire [23:0] scale_x,  // Scale (px).
     input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
     input  wire [23:0] scale_y,  // Scale (px).
     input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
-    input  wire [23:0] depth_b,  // See `depth_a`.
-    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
-    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
-    input  wire [23:0] epsilon_bias,  // Constant part.
     output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -4776,6 +4932,11 @@ module splat_setup (
     output wire [15:0] out_mx,  // `m` in x.
     output wire [15:0] out_my,  // `m` in y.
     output wire [3:0] out_shift,  // In fixed point, places by which offsets from the centre are shifted.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [19:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [19:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4788,109 +4949,311 @@ module splat_setup (
     output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
-    reg [8:0] delay_5_from_0 [0:3];
+    reg [49:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_17_from_0 [0:15];
+    reg [23:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [35:0] delay_21_from_0 [0:19];
+    reg [25:0] delay_10_from_0 [0:8];
+    (* ram_style = "distributed" *)
+    reg [27:0] delay_11_from_0 [0:9];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_0 [0:10];
+    (* ram_style = "distributed" *)
+    reg delay_19_from_0 [0:17];
+    (* ram_style = "distributed" *)
+    reg [35:0] delay_22_from_0 [0:20];
+    (* ram_style = "distributed" *)
+    reg [8:0] delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
     reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_1 [0:5];
+    reg [47:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [51:0] delay_9_from_1 [0:7];
+    reg delay_10_from_1 [0:8];
     (* ram_style = "distributed" *)
-    reg [9:0] delay_10_from_1 [0:8];
+    reg [1:0] delay_11_from_2 [0:9];
     (* ram_style = "distributed" *)
-    reg [16:0] delay_11_from_1 [0:9];
+    reg delay_17_from_2 [0:15];
     (* ram_style = "distributed" *)
-    reg delay_12_from_2 [0:10];
+    reg [23:0] delay_7_from_3 [0:5];
     (* ram_style = "distributed" *)
-    reg [8:0] delay_5_from_3 [0:3];
+    reg delay_11_from_3 [0:9];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_5_from_5 [0:3];
+    reg [10:0] delay_5_from_4 [0:3];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_12_from_5 [0:10];
+    reg [23:0] delay_7_from_4 [0:5];
     (* ram_style = "distributed" *)
-    reg [20:0] delay_10_from_6 [0:8];
+    reg [15:0] delay_10_from_4 [0:8];
     (* ram_style = "distributed" *)
-    reg [42:0] delay_11_from_6 [0:9];
+    reg [23:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
-    reg [29:0] delay_12_from_6 [0:10];
+    reg delay_7_from_5 [0:5];
     (* ram_style = "distributed" *)
-    reg [3:0] delay_13_from_6 [0:11];
+    reg [24:0] delay_8_from_5 [0:6];
     (* ram_style = "distributed" *)
-    reg delay_9_from_7 [0:7];
+    reg [8:0] delay_5_from_6 [0:3];
+    (* ram_style = "distributed" *)
+    reg delay_6_from_6 [0:4];
+    (* ram_style = "distributed" *)
+    reg [52:0] delay_9_from_6 [0:7];
+    (* ram_style = "distributed" *)
+    reg [64:0] delay_11_from_6 [0:9];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_12_from_6 [0:10];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_5_from_7 [0:3];
+    (* ram_style = "distributed" *)
+    reg [22:0] delay_8_from_7 [0:6];
+    (* ram_style = "distributed" *)
+    reg [57:0] delay_9_from_7 [0:7];
+    (* ram_style = "distributed" *)
+    reg [19:0] delay_10_from_7 [0:8];
+    (* ram_style = "distributed" *)
+    reg [36:0] delay_11_from_7 [0:9];
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
     reg [1:0] delay_5_from_0_pointer;
-    reg [8:0] delay_5_from_0_out;
-    reg [3:0] delay_17_from_0_pointer;
-    reg delay_17_from_0_out;
-    reg [4:0] delay_21_from_0_pointer;
-    reg [35:0] delay_21_from_0_out;
+    reg [49:0] delay_5_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [23:0] delay_9_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [25:0] delay_10_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [27:0] delay_11_from_0_out;
+    reg [3:0] delay_12_from_0_pointer;
+    reg delay_12_from_0_out;
+    reg [4:0] delay_19_from_0_pointer;
+    reg delay_19_from_0_out;
+    reg [4:0] delay_22_from_0_pointer;
+    reg [35:0] delay_22_from_0_out;
+    reg [1:0] delay_5_from_1_pointer;
+    reg [8:0] delay_5_from_1_out;
     reg [2:0] delay_6_from_1_pointer;
     reg delay_6_from_1_out;
-    reg [2:0] delay_7_from_1_pointer;
-    reg [23:0] delay_7_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
-    reg [51:0] delay_9_from_1_out;
+    reg [47:0] delay_9_from_1_out;
     reg [3:0] delay_10_from_1_pointer;
-    reg [9:0] delay_10_from_1_out;
-    reg [3:0] delay_11_from_1_pointer;
-    reg [16:0] delay_11_from_1_out;
-    reg [3:0] delay_12_from_2_pointer;
-    reg delay_12_from_2_out;
-    reg [1:0] delay_5_from_3_pointer;
-    reg [8:0] delay_5_from_3_out;
+    reg delay_10_from_1_out;
+    reg [3:0] delay_11_from_2_pointer;
+    reg [1:0] delay_11_from_2_out;
+    reg [3:0] delay_17_from_2_pointer;
+    reg delay_17_from_2_out;
+    reg [2:0] delay_7_from_3_pointer;
+    reg [23:0] delay_7_from_3_out;
+    reg [3:0] delay_11_from_3_pointer;
+    reg delay_11_from_3_out;
+    reg [1:0] delay_5_from_4_pointer;
+    reg [10:0] delay_5_from_4_out;
+    reg [2:0] delay_7_from_4_pointer;
+    reg [23:0] delay_7_from_4_out;
+    reg [3:0] delay_10_from_4_pointer;
+    reg [15:0] delay_10_from_4_out;
     reg [1:0] delay_5_from_5_pointer;
-    reg [47:0] delay_5_from_5_out;
-    reg [3:0] delay_12_from_5_pointer;
-    reg [63:0] delay_12_from_5_out;
-    reg [3:0] delay_10_from_6_pointer;
-    reg [20:0] delay_10_from_6_out;
+    reg [23:0] delay_5_from_5_out;
+    reg [2:0] delay_7_from_5_pointer;
+    reg delay_7_from_5_out;
+    reg [2:0] delay_8_from_5_pointer;
+    reg [24:0] delay_8_from_5_out;
+    reg [1:0] delay_5_from_6_pointer;
+    reg [8:0] delay_5_from_6_out;
+    reg [2:0] delay_6_from_6_pointer;
+    reg delay_6_from_6_out;
+    reg [2:0] delay_9_from_6_pointer;
+    reg [52:0] delay_9_from_6_out;
     reg [3:0] delay_11_from_6_pointer;
-    reg [42:0] delay_11_from_6_out;
+    reg [64:0] delay_11_from_6_out;
     reg [3:0] delay_12_from_6_pointer;
-    reg [29:0] delay_12_from_6_out;
-    reg [3:0] delay_13_from_6_pointer, delay_13_from_6_out;
+    reg [1:0] delay_12_from_6_out, delay_5_from_7_pointer;
+    reg [23:0] delay_5_from_7_out;
+    reg [2:0] delay_8_from_7_pointer;
+    reg [22:0] delay_8_from_7_out;
     reg [2:0] delay_9_from_7_pointer;
-    reg delay_9_from_7_out, end_d18, end_d19, end_d20, end_d21;
-    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, alpha_d1, alpha_d2, alpha_d3, tangent2_z_d1;
-    reg [23:0] tangent2_z_d2, tangent2_z_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2, q_d3, q_d4;
-    reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
-    reg [23:0] center_x_d1, center_x_d2, center_x_d3, v_x_d1, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3;
-    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, r_times_tangent2_x_d1;
-    reg [23:0] b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3_copy2, center_x_d4, center_x_d5;
-    reg [23:0] center_x_d6, center_x_d7, t_x_sum_d1, t_x_sum_d2, a_x_squared_plus_b_x_squared_d1, h_x_product_d1;
+    reg [57:0] delay_9_from_7_out;
+    reg [3:0] delay_10_from_7_pointer;
+    reg [19:0] delay_10_from_7_out;
+    reg [3:0] delay_11_from_7_pointer;
+    reg [36:0] delay_11_from_7_out;
+    reg end_d20, end_d21, end_d22;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
+    reg [23:0] tangent2_y_d1, tangent2_z_d1;
+    reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
+    reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
+    reg first_x_both_d1;
+    reg [14:0] first_x_greater_bits_d1_copy2;
+    reg first_x_either_d1, first_x_greater_sign_d1;
+    reg [23:0] first_x_joined_d1;
+    reg [10:0] first_y_greater_bits_d1, first_y_greater_bits_plus_1_d1;
+    reg first_y_in_order_d1, first_y_inverted_d1, first_y_greater_bits_is_255_d1, first_y_in_order_d1_copy2;
+    reg first_y_both_d1;
+    reg [14:0] first_y_greater_bits_d1_copy2;
+    reg first_y_either_d1, first_y_greater_sign_d1;
+    reg [23:0] first_y_joined_d1;
+    reg [10:0] reaches_near_greater_bits_d1, reaches_near_sum_d1;
+    reg zero_below_reaches_near_sum_d1, not_reaches_near_same_d1, reaches_near_same_d1;
+    reg reaches_near_in_order_d1, reaches_near_both_d1;
+    reg [14:0] reaches_near_greater_bits_d1_copy2;
+    reg reaches_near_either_d1, reaches_near_greater_sign_d1;
+    reg [23:0] reaches_near_joined_d1;
+    reg beyond_near_d1, beyond_near_d2, swapped_d1;
+    reg [10:0] turned_greater_d1, center_z_bits_plus_4_d1;
+    reg turned_either_d1, turned_d1;
+    reg [23:0] v_x_chosen_d1, v_x_chosen_d2, v_x_chosen_d3, v_y_chosen_d1, v_y_chosen_d2, v_y_chosen_d3;
+    reg [23:0] lowered_chosen_d1;
+    reg [10:0] lowered_chosen_bits_d1, lowered_chosen_bits_d1_copy2, lowered_greater_d1;
+    reg [10:0] lowered_chosen_bits_d1_copy3, lowered_greater_d1_copy2, lowered_chosen_bits_d1_copy4;
+    reg [10:0] lowered_greater_d1_copy3, lowered_chosen_bits_d1_copy5, lowered_greater_d1_copy4;
+    reg [10:0] lowered_chosen_bits_d1_copy6, lowered_greater_d1_copy5, lowered_chosen_bits_plus_60_d1, lowered_d1;
+    reg a_x_inverted_d1, a_x_in_order_and_a_x_inverted_d1, lowered_chosen_bits_is_255_d1;
+    reg [14:0] lowered_chosen_bits_d1_copy7;
+    reg [7:0] a_x_chosen_d1;
+    reg lowered_chosen_sign_d1;
+    reg [23:0] a_x_joined_d1, a_x_joined_d2;
+    reg a_y_inverted_d1, a_y_in_order_and_a_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy2;
+    reg [14:0] lowered_chosen_bits_d1_copy8;
+    reg [7:0] a_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy2;
+    reg [23:0] a_y_joined_d1, a_y_joined_d2;
+    reg alpha_inverted_d1, alpha_both_d1, lowered_chosen_bits_is_255_d1_copy3;
+    reg [14:0] lowered_chosen_bits_d1_copy9;
+    reg [7:0] alpha_chosen_d1;
+    reg lowered_chosen_sign_d1_copy3;
+    reg [23:0] alpha_joined_d1, alpha_joined_d2;
+    reg b_x_inverted_d1, b_x_in_order_and_b_x_inverted_d1, lowered_chosen_bits_is_255_d1_copy4;
+    reg [14:0] lowered_chosen_bits_d1_copy10;
+    reg [7:0] b_x_chosen_d1;
+    reg lowered_chosen_sign_d1_copy4;
+    reg [23:0] b_x_joined_d1, b_x_joined_d2;
+    reg b_y_inverted_d1, b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
+    reg [14:0] lowered_chosen_bits_d1_copy11;
+    reg [7:0] b_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy5;
+    reg [23:0] b_y_joined_d1, b_y_joined_d2;
+    reg beta_inverted_d1, beta_both_d1, lowered_chosen_bits_is_255_d1_copy6;
+    reg [14:0] lowered_chosen_bits_d1_copy12;
+    reg [7:0] beta_chosen_d1;
+    reg lowered_chosen_sign_d1_copy6;
+    reg [23:0] beta_joined_d1, beta_joined_d2;
+    reg not_turned_d1, not_turned_d2, not_turned_d3, not_turned_d4, not_turned_d5, not_turned_d6;
+    reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
+    reg beyond_near_and_not_turned_d4, beyond_near_and_not_turned_d5;
+    reg [23:0] reaches_near_sum_d1_copy2, r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2;
+    reg [23:0] q_d3, q_d4, e_d1;
+    reg whole_d1, whole_d8, whole_d9;
+    reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, b_depth_d7;
+    reg [23:0] center_depth_d8, center_depth_d9, q_times_f_d1, spread_middle_d1, spread_middle_d2, spread_half_d1;
+    reg [23:0] spread_half_d2, spread_half_d3, before_far_sum_d1, before_far_joined_d1;
+    reg before_far_in_order_d1, before_far_in_order_d2;
+    reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
+    reg [23:0] b_x_joined_times_r_d1, center_x_d6, center_x_d7, center_x_d8, center_x_d9, t_x_sum_d1, t_x_sum_d2;
+    reg [23:0] t_x_d1, a_x_squared_plus_b_x_squared_d1, a_x_squared_plus_b_x_squared_d2, h_x_product_d1;
     reg [23:0] center_x_minus_t_x_d1, center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4;
-    reg [23:0] center_x_minus_filter_radius_d1, filter_radius_plus_center_x_d1;
-    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, last_x_lesser_d1;
+    reg [23:0] center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1, f_times_scale_x_d1;
+    reg [23:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1;
+    reg [23:0] last_x_chosen_d2, last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2;
+    reg [23:0] center_x_minus_filter_radius_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
+    reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
     reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4, last_x_d5;
-    reg occupied_x_d1;
-    reg [23:0] center_y_d1, center_y_d2, center_y_d3, v_y_d1, tangent1_y_d1, tangent1_y_d2, tangent1_y_d3;
-    reg [23:0] r_times_tangent1_y_d1, a_y_d1, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, r_times_tangent2_y_d1;
-    reg [23:0] b_y_d1, center_y_d1_copy2, center_y_d2_copy2, center_y_d3_copy2, center_y_d4, center_y_d5;
-    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, t_y_sum_d1, t_y_sum_d2;
-    reg [23:0] a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d6, center_y_d7;
+    reg [23:0] center_y_d8, center_y_d9, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
+    reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
     reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
-    reg [23:0] minus_h_y_d1, first_y_lesser_d1, last_y_greater_d1;
-    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, last_y_lesser_d1;
+    reg [23:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
+    reg first_y_in_order_d1_copy3;
+    reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3;
+    reg [23:0] first_y_chosen_d4, last_y_chosen_d1, last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2;
+    reg [23:0] last_y_chosen_d1_copy2, center_y_minus_filter_radius_d1, filter_radius_plus_center_y_d1;
+    reg [23:0] first_y_chosen_d1_copy3, last_y_chosen_d1_copy3;
+    reg [21:0] first_y_shifted_d1;
+    reg [23:0] last_y_lesser_d1;
+    reg [21:0] last_y_shifted_d1, last_y_lesser_d1_copy2;
     reg [8:0] last_y_d1, last_y_d2, last_y_d3, last_y_d4;
-    reg occupied_y_d1;
-    reg [23:0] a_x_times_b_y_d1;
-    reg delta_bits_is_zero_d1, edge_on_in_order_d1;
-    reg [23:0] alpha_times_b_x_d1, minus_beta_times_a_x_d1, b_depth_d6, center_depth_d1, center_depth_d2;
-    reg [23:0] center_depth_d3, spread_middle_d1, spread_middle_d2, abs_b_depth_d1, abs_b_depth_d2, root_of_q_d1;
-    reg [23:0] spread_half_d1, spread_half_d2, spread_half_d3, middle_depth_d1, middle_depth_d2;
-    reg [23:0] half_depth_lesser_d1, half_depth_d1;
-    reg center_depth_up_to_one_d1, center_depth_up_to_one_d2, center_depth_up_to_one_d3;
-    reg center_depth_up_to_one_d4, visible_both_d1, delta_sign_d1, end_or_visible_d1, end_or_visible_d2;
-    reg end_or_visible_d3, end_or_visible_d4, center_x_bits_below_140_d1, placed_d1, placed_d2;
+    reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
+    reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
+    reg [10:0] a_x_bits_plus_127_d1;
+    reg not_zero_is_a_x_bits_d1, not_zero_is_a_x_bits_d2, not_zero_is_a_x_bits_d3, unit_delta_both_d1;
+    reg a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
+    reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2, a_x_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1;
+    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3, a_x_sign_d4;
+    reg [23:0] unit_delta_joined_d1;
+    reg [10:0] a_y_bits_plus_127_d1;
+    reg not_zero_is_a_y_bits_d1, not_zero_is_a_y_bits_d2, not_zero_is_a_y_bits_d3, unit_delta_both_d1_copy2;
+    reg a_y_bits_is_255_d1, a_y_bits_is_255_d2, a_y_bits_is_255_d3;
+    reg [14:0] a_y_bits_d1_copy2, a_y_bits_d2_copy2, a_y_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy2;
+    reg a_y_sign_d1, a_y_sign_d2, a_y_sign_d3;
+    reg [23:0] unit_delta_joined_d1_copy2;
+    reg [10:0] b_x_bits_plus_127_d1;
+    reg not_zero_is_b_x_bits_d1, not_zero_is_b_x_bits_d2, not_zero_is_b_x_bits_d3, unit_delta_both_d1_copy3;
+    reg b_x_bits_is_255_d1, b_x_bits_is_255_d2, b_x_bits_is_255_d3;
+    reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2, b_x_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy3;
+    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3, b_x_sign_d4;
+    reg [23:0] unit_delta_joined_d1_copy3;
+    reg [10:0] b_y_bits_plus_127_d1;
+    reg not_zero_is_b_y_bits_d1, not_zero_is_b_y_bits_d2, not_zero_is_b_y_bits_d3, unit_delta_both_d1_copy4;
+    reg b_y_bits_is_255_d1, b_y_bits_is_255_d2, b_y_bits_is_255_d3;
+    reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2, b_y_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy4;
+    reg b_y_sign_d1, b_y_sign_d2, b_y_sign_d3;
+    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
+    reg [10:0] beta_bits_d1, beta_bits_d2, beta_bits_d3, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
+    reg [10:0] alpha_bits_d3, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
+    reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, not_zero_is_beta_bits_d3, mx_both_d1;
+    reg beta_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1;
+    reg [23:0] mx_joined_d1;
+    reg [10:0] mx_sum_d1_copy2;
+    reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, not_zero_is_alpha_bits_d3, mx_both_d1_copy2;
+    reg alpha_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1_copy2;
+    reg [23:0] mx_joined_d1_copy2, mx_product_d1, minus_mx_product_d1, my_product_d1, minus_my_product_d1;
+    reg [10:0] largest_sum_d1, largest_sum_d2, largest_sum_d3, unit_delta_bits_d1, largest_greater_d1;
+    reg [10:0] largest_greater_plus_154_d1, largest_greater_plus_154_d2;
+    reg largest_sum_below_100_d1;
+    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
+    reg [10:0] largest_sum_d3_copy2, largest_d1, a_x_bits_plus_381_d1;
+    reg exponent_both_d1;
+    reg [22:0] exponent_joined_d1;
+    reg [23:0] exponent_joined_d1_copy2;
+    reg [10:0] a_y_bits_plus_381_d1;
+    reg exponent_both_d1_copy2;
+    reg [22:0] exponent_joined_d1_copy3;
+    reg [23:0] exponent_joined_d1_copy4;
+    reg [10:0] b_x_bits_plus_381_d1;
+    reg exponent_both_d1_copy3;
+    reg [22:0] exponent_joined_d1_copy5;
+    reg [10:0] b_y_bits_plus_381_d1;
+    reg exponent_both_d1_copy4;
+    reg [22:0] exponent_joined_d1_copy6;
+    reg [10:0] delta_sum_d1;
+    reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
+    reg [14:0] unit_delta_bits_d1_copy2;
+    reg [7:0] delta_chosen_d1;
+    reg unit_delta_sign_d1;
+    reg [23:0] delta_d1;
+    reg [10:0] mx_sum_d1_copy3, mx_sum_d2, mx_sum_d3, mx_bits_d1, mx_sum_plus_mx_bits_d1;
+    reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
+    reg [14:0] mx_bits_d1_copy2;
+    reg [7:0] mx_chosen_d1_copy3;
+    reg mx_bits_d1_copy3;
+    reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
+    reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
+    reg [14:0] my_bits_d1_copy2;
+    reg [7:0] my_chosen_d1;
+    reg my_bits_d1_copy3;
+    reg [10:0] edge_on_lesser_d1;
+    reg edge_on_lesser_below_32_d1, edge_on_lesser_below_32_d2, unit_delta_bits_is_zero_d1;
+    reg [7:0] unit_delta_product_bits_d1;
+    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, sight_negative_out_d1;
+    reg [23:0] exponent_joined_d1_copy7, exponent_joined_d1_copy8, delta_times_one_over_b_depth_d1;
+    reg end_or_visible_d1, end_or_visible_d2, end_or_visible_d3, end_or_visible_d4;
+    reg center_x_bits_below_140_d1, placed_d1;
     reg [27:0] center_x_out_shifted_d1;
-    reg [25:0] center_x_out_lesser_d1, center_x_out_d10, center_x_out_d11, center_x_out_d12, center_x_out_d13;
+    reg [25:0] center_x_out_lesser_d1;
     reg [27:0] center_y_out_shifted_d1;
-    reg [25:0] center_y_out_lesser_d1, center_y_out_d10, center_y_out_d11, center_y_out_d12, center_y_out_d13;
+    reg [25:0] center_y_out_lesser_d1, center_y_out_d12, center_y_out_d13, center_y_out_d14, center_y_out_d15;
     reg [26:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
     reg [26:0] shift_difference_d1_copy2;
     reg [25:0] shift_chosen_bits_d1;
@@ -4899,45 +5262,46 @@ module splat_setup (
     reg [25:0] shift_chosen_bits_d1_copy2, shift_either_d1;
     reg [26:0] not_shift_difference_d1_copy2;
     reg [10:0] shift_either_bits_d1;
-    reg not_shift_either_bits_is_zero_d1;
-    reg [9:0] shift_either_bits_d1_copy2;
-    reg not_shift_either_bits_is_zero_d1_copy2;
-    reg [8:0] shift_either_bits_d1_copy3;
     reg not_zero_is_shift_either_bits_d1;
+    reg [9:0] shift_either_bits_d1_copy2;
+    reg not_shift_either_bits_is_zero_d1;
+    reg [8:0] shift_either_bits_d1_copy3;
+    reg not_zero_is_shift_either_bits_d1_copy2;
     reg [3:0] shift_chosen_d1;
     reg [7:0] shift_either_bits_d1_copy4;
-    reg not_shift_either_bits_is_zero_d1_copy3;
+    reg not_shift_either_bits_is_zero_d1_copy2;
     reg [6:0] shift_either_bits_d1_copy5;
-    reg not_shift_either_bits_is_zero_d1_copy4;
+    reg not_shift_either_bits_is_zero_d1_copy3;
     reg [5:0] shift_either_bits_d1_copy6;
-    reg not_shift_either_bits_is_zero_d1_copy5;
+    reg not_shift_either_bits_is_zero_d1_copy4;
     reg [3:0] shift_chosen_d1_copy2;
     reg [4:0] shift_either_bits_d1_copy7;
-    reg not_shift_either_bits_is_zero_d1_copy6;
+    reg not_shift_either_bits_is_zero_d1_copy5;
     reg [3:0] shift_either_bits_d1_copy8;
-    reg not_zero_is_shift_either_bits_d1_copy2, shift_either_bits_is_zero_d1;
+    reg not_zero_is_shift_either_bits_d1_copy3, shift_either_bits_is_zero_d1;
     reg [3:0] shift_chosen_d1_copy3;
     reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2, shift_d3;
-    reg [9:0] shift_plus_4_d1, delta_bits_d11, exponent_chosen_d1, b_x_bits_d13, a_y_bits_d13, b_y_bits_d1;
-    reg [9:0] b_y_bits_d13, mx_bits_d11, my_bits_d11, exponent_greater_d1, exponent_greater_d1_copy2;
+    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d11, exponent_chosen_d1, exponent_joined_bits_d1;
+    reg [9:0] exponent_joined_bits_d1_copy2, exponent_joined_bits_d11, mx_bits_d1_copy4, mx_bits_d11;
+    reg [9:0] my_bits_d1_copy4, my_bits_d11, exponent_greater_d1, exponent_greater_d1_copy2;
     reg [9:0] exponent_greater_d1_copy3, exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1;
-    reg [9:0] a_x_bits_plus_126_d1;
-    reg ax_out_both_d1;
+    reg [9:0] exponent_chosen_bits_plus_126_d1;
+    reg zero_is_exponent_chosen_bits_d1, ax_out_both_d1;
     reg [23:0] ax_out_joined_d1;
     reg [17:0] ax_out_shifted_d1;
     reg [15:0] ax_out_lesser_d1;
-    reg [9:0] b_x_bits_plus_126_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1;
     reg bx_out_both_d1;
     reg [23:0] bx_out_joined_d1;
     reg [17:0] bx_out_shifted_d1;
     reg [15:0] bx_out_lesser_d1;
-    reg [9:0] a_y_bits_plus_126_d1;
-    reg ay_out_both_d1;
+    reg [9:0] exponent_chosen_bits_plus_126_d1_copy2;
+    reg zero_is_exponent_chosen_bits_d1_copy2, ay_out_both_d1;
     reg [23:0] ay_out_joined_d1;
     reg [17:0] ay_out_shifted_d1;
     reg [15:0] ay_out_lesser_d1;
-    reg [9:0] b_y_bits_plus_126_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1_copy2;
     reg by_out_both_d1;
     reg [23:0] by_out_joined_d1;
     reg [17:0] by_out_shifted_d1;
@@ -4957,105 +5321,445 @@ module splat_setup (
     reg [23:0] vanishes_joined_d1;
     reg [21:0] vanishes_shifted_d1;
     reg [19:0] vanishes_lesser_d1;
-    reg odd_either_d1, a_y_bits_is_255_d1, odd_either_d1_copy2, odd_either_d2;
-    reg odd_either_or_mx_bits_is_255_d1, odd_either_d1_copy3, delta_bits_is_255_d1, vanishes_d1;
-    reg not_placed_d1, edge_on_or_not_placed_d1;
-    reg [23:0] depth_high_out_greater_d1, depth_high_out_d1, depth_high_out_d2, depth_high_out_d3, depth_high_out_d4;
-    reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a;
+    reg exponent_chosen_bits_is_255_d1, exponent_joined_bits_is_255_d1, exponent_chosen_bits_is_255_d1_copy2;
+    reg odd_either_d1, mx_bits_is_255_d1_copy2, my_bits_is_255_d1_copy2, odd_d1, vanishes_d1, not_placed_d1;
+    reg not_placed_d2, not_placed_d3, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2, covers_nothing_d1;
+    reg [10:0] sight_near_out_bits_d9, sight_near_out_bits_plus_126_d1;
+    reg sight_near_out_in_order_d1, sight_near_out_bits_is_255_d1;
+    reg [10:0] sight_near_out_sum_d1;
+    reg sight_near_out_both_d1, not_sight_near_out_bits_is_255_d1;
+    reg [10:0] sight_near_out_difference_d1;
+    reg sight_near_out_either_d1;
+    reg [22:0] sight_near_out_joined_d1;
+    reg [19:0] sight_near_out_chosen_d1;
+    reg [10:0] abs_sight_far_out_product_bits_d9, sight_far_out_sum_d1;
+    reg sight_far_out_in_order_d1, sight_far_out_same_d1, sight_far_out_both_d1, not_sight_far_out_same_d1;
+    reg [10:0] sight_far_out_difference_d1;
+    reg sight_far_out_either_d1;
+    reg [22:0] sight_far_out_joined_d1;
+    reg [23:0] sight_far_out_joined_d1_copy2;
+    reg [19:0] sight_far_out_d1;
+    reg [23:0] middle_depth_minus_epsilon_d1, depth_low_out_d1, depth_low_out_d2, depth_low_out_d3, depth_low_out_d4;
+    reg [23:0] depth_high_out_d1, depth_high_out_d2, depth_high_out_d3, depth_high_out_d4, max_f24_ftz_unit_a;
+    reg [23:0] max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a, max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a;
+    reg [23:0] lt_f24_ftz_unit_b, lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
     reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
-    reg [23:0] max_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
-    reg [20:0] in_flight;
+    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a;
+    reg [23:0] add_f24_ftz_unit_copy6_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
+    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
+    reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b;
+    reg [23:0] mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a;
+    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b, sqrt_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a;
+    reg [23:0] to_fixed_f24_ftz_u20q19_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [21:0] in_flight;
 
     wire queue_in_ready;
-    wire [316:0] queue_out_data;
-    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire lt_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_y, min_f24_ftz_unit_y, max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
-    wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire [359:0] queue_out_data;
+    wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
+    wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, recip_f24_ftz_unit_y, mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y, sqrt_f24_ftz_unit_y;
     wire le_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_y;
+    wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire [26:0] to_fixed_f24_ftz_s27q13_unit_y;
     wire [16:0] to_fixed_f24_ftz_s17q16_unit_y;
     wire [20:0] to_fixed_f24_ftz_s21q20_unit_y;
+    wire [19:0] to_fixed_f24_ftz_u20q19_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire phase_is_1 = phase == 3'd1;
-    wire queue_in_valid_both = in_flight[20] & end_or_visible_d4 & phase_is_1;
-    wire covers_nothing = vanishes_d1 | delay_12_from_2_out;
-    wire [15:0] ax_out = covers_nothing ? 16'd0 : ax_out_lesser_d1;
-    wire [15:0] bx_out = covers_nothing ? 16'd0 : bx_out_lesser_d1;
-    wire [15:0] ay_out = covers_nothing ? 16'd0 : ay_out_lesser_d1;
-    wire [15:0] by_out = covers_nothing ? 16'd0 : by_out_lesser_d1;
-    wire [19:0] delta_out = covers_nothing ? 20'd0 : vanishes_lesser_d1;
-    wire [15:0] mx_out = covers_nothing ? 16'd0 : mx_out_lesser_d1;
-    wire [15:0] my_out = covers_nothing ? 16'd0 : my_out_lesser_d1;
-    wire [23:0] depth_low_out_d5 = delay_5_from_5_out[47:24];
-    wire [11:0] attribute_0_d21 = delay_21_from_0_out[11:0];
-    wire [11:0] attribute_1_d21 = delay_21_from_0_out[23:12];
-    wire [11:0] attribute_2_d21 = delay_21_from_0_out[35:24];
+    wire phase_is_0 = phase == 3'd0;
+    wire queue_in_valid_both = in_flight[21] & end_or_visible_d4 & phase_is_0;
+    wire [25:0] center_x_out_d15 = delay_5_from_0_out[49:24];
+    wire [15:0] ax_out = covers_nothing_d1 ? 16'd0 : ax_out_lesser_d1;
+    wire [15:0] bx_out = covers_nothing_d1 ? 16'd0 : bx_out_lesser_d1;
+    wire [15:0] ay_out = covers_nothing_d1 ? 16'd0 : ay_out_lesser_d1;
+    wire [15:0] by_out = covers_nothing_d1 ? 16'd0 : by_out_lesser_d1;
+    wire [19:0] delta_out = covers_nothing_d1 ? 20'd0 : vanishes_lesser_d1;
+    wire [15:0] mx_out = covers_nothing_d1 ? 16'd0 : mx_out_lesser_d1;
+    wire [15:0] my_out = covers_nothing_d1 ? 16'd0 : my_out_lesser_d1;
+    wire [19:0] sight_near_out = covers_nothing_d1 ? 20'd0 : sight_near_out_chosen_d1;
+    wire turned_d22 = delay_12_from_6_out[0];
+    wire [23:0] depth_out_d8 = delay_8_from_5_out[24:1];
+    wire [11:0] attribute_0_d22 = delay_22_from_0_out[11:0];
+    wire [11:0] attribute_1_d22 = delay_22_from_0_out[23:12];
+    wire [11:0] attribute_2_d22 = delay_22_from_0_out[35:24];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
-    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
-    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
-    wire [21:0] last_x_chosen = whole_d10 ? last_x_lesser_d1 : 22'd512;
-    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
-    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
-    wire occupied_x = first_x_chosen_d1 < last_x_chosen;
-    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] first_y_chosen = whole_d10 ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
-    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [21:0] last_y_chosen = whole_d11 ? last_y_lesser_d1 : 22'd512;
-    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
-    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
-    wire occupied_y = first_y_chosen_d1 < last_y_chosen;
-    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
-    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_d1[22:15]};
-    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-    wire [23:0] b_depth_d5 = delay_5_from_5_out[23:0];
+    wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_y[22:15]};
+    wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
+    wire first_x_in_order = 11'd0 < first_x_greater_bits_plus_1;
+    wire zero_is_first_x_greater_bits = 11'd0 == first_x_greater_bits_d1_bits;
+    wire first_x_inverted = ~zero_is_first_x_greater_bits;
+    wire first_x_greater_bits_is_255 = first_x_greater_bits_d1_bits == 11'd255;
+    wire first_x_in_order_copy2 = ~(first_x_greater_bits_plus_1 < 11'd255);
+    wire first_x_both = first_x_in_order_d1 & first_x_inverted_d1;
+    wire first_x_both_copy2 = first_x_both & first_x_in_order_d1_copy2;
+    wire first_x_inverted_copy2 = ~first_x_greater_bits_is_255_d1;
+    wire first_x_both_copy3 = first_x_both_copy2 & first_x_inverted_copy2;
+    wire first_x_either = first_x_both | first_x_greater_bits_is_255_d1;
+    wire [10:0] first_x_chosen = first_x_both_d1 ? 11'd255 : first_x_greater_bits_plus_1_d1;
+    wire [10:0] first_x_chosen_copy2 = first_x_greater_bits_is_255_d1 ? first_x_greater_bits_d1 : first_x_chosen;
+    wire [14:0] first_x_chosen_copy3 = first_x_both_d1 ? 15'd0 : first_x_greater_bits_d1_copy2;
+    wire [22:0] first_x_chosen_copy4 = first_x_either_d1 ? {first_x_chosen_copy2[7:0], first_x_chosen_copy3} : 23'd0;
+    wire [10:0] first_y_greater_bits_plus_1 = first_x_greater_bits_plus_1;
+    wire first_y_in_order = 11'd0 < first_y_greater_bits_plus_1;
+    wire zero_is_first_y_greater_bits = zero_is_first_x_greater_bits;
+    wire first_y_inverted = ~zero_is_first_y_greater_bits;
+    wire first_y_greater_bits_is_255 = 11'd255 == first_x_greater_bits_d1_bits;
+    wire first_y_in_order_copy2 = ~(first_y_greater_bits_plus_1 < 11'd255);
+    wire first_y_both = first_y_in_order_d1 & first_y_inverted_d1;
+    wire first_y_both_copy2 = first_y_both & first_y_in_order_d1_copy2;
+    wire first_y_inverted_copy2 = ~first_y_greater_bits_is_255_d1;
+    wire first_y_both_copy3 = first_y_both_copy2 & first_y_inverted_copy2;
+    wire first_y_either = first_y_both | first_y_greater_bits_is_255_d1;
+    wire [10:0] first_y_chosen = first_y_both_d1 ? 11'd255 : first_y_greater_bits_plus_1_d1;
+    wire [10:0] first_y_chosen_copy2 = first_y_greater_bits_is_255_d1 ? first_y_greater_bits_d1 : first_y_chosen;
+    wire [14:0] first_y_chosen_copy3 = first_y_both_d1 ? 15'd0 : first_y_greater_bits_d1_copy2;
+    wire [22:0] first_y_chosen_copy4 = first_y_either_d1 ? {first_y_chosen_copy2[7:0], first_y_chosen_copy3} : 23'd0;
+    wire [10:0] reaches_near_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] reaches_near_sum = 11'd1 + reaches_near_greater_bits_d1_bits;
+    wire zero_below_reaches_near_sum = 11'd0 < reaches_near_sum;
+    wire reaches_near_same = 11'd0 == reaches_near_greater_bits_d1_bits;
+    wire not_reaches_near_same = ~reaches_near_same;
+    wire reaches_near_same_copy2 = 11'd255 == reaches_near_greater_bits_d1_bits;
+    wire reaches_near_in_order = ~(reaches_near_sum < 11'd255);
+    wire reaches_near_both = zero_below_reaches_near_sum_d1 & not_reaches_near_same_d1;
+    wire reaches_near_both_copy2 = reaches_near_both & reaches_near_in_order_d1;
+    wire not_reaches_near_same_copy2 = ~reaches_near_same_d1;
+    wire reaches_near_both_copy3 = reaches_near_both_copy2 & not_reaches_near_same_copy2;
+    wire reaches_near_either = reaches_near_both | reaches_near_same_d1;
+    wire [10:0] reaches_near_chosen = reaches_near_both_d1 ? 11'd255 : reaches_near_sum_d1;
+    wire [10:0] reaches_near_chosen_copy2 = reaches_near_same_d1 ? reaches_near_greater_bits_d1 : reaches_near_chosen;
+    wire [14:0] reaches_near_chosen_copy3 = reaches_near_both_d1 ? 15'd0 : reaches_near_greater_bits_d1_copy2;
+    wire [22:0] reaches_near_chosen_copy4 = reaches_near_either_d1 ? {reaches_near_chosen_copy2[7:0], reaches_near_chosen_copy3} : 23'd0;
+    wire [10:0] turned_greater_bits = {3'd0, in_center_x[22:15]};
+    wire [10:0] turned_greater_bits_2 = {3'd0, in_center_y[22:15]};
+    wire [10:0] turned_greater = (turned_greater_bits < turned_greater_bits_2) ? turned_greater_bits_2 : turned_greater_bits;
+    wire [10:0] center_z_bits_plus_4 = {3'd0, in_center_z[22:15]} + 11'd4;
+    wire turned_in_order = center_z_bits_plus_4_d1 < turned_greater_d1;
+    wire not_beyond_near = ~lt_f24_ftz_unit_y;
+    wire turned_either = turned_in_order | not_beyond_near;
+    wire turned = lt_f24_ftz_unit_y & turned_either_d1;
+    wire [23:0] v_x_chosen = swapped_d1 ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d1;
+    wire [23:0] v_y_chosen = swapped_d1 ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d1;
+    wire [23:0] lowered_chosen = swapped_d1 ? tangent2_z_d1 : tangent1_z_d1;
+    wire [23:0] lowered_chosen_copy5 = turned ? lowered_chosen : center_z_d1;
+    wire [23:0] lowered_chosen_copy2 = swapped_d1 ? tangent1_x_d1 : tangent2_x_d1;
+    wire [23:0] lowered_chosen_copy6 = turned ? lowered_chosen_copy2 : tangent1_x_d1;
+    wire [23:0] lowered_chosen_copy3 = swapped_d1 ? tangent1_y_d1 : tangent2_y_d1;
+    wire [23:0] lowered_chosen_copy7 = turned ? lowered_chosen_copy3 : tangent1_y_d1;
+    wire [10:0] lowered_greater = (lowered_chosen_bits_d1 < lowered_chosen_bits_d1_copy2) ? lowered_chosen_bits_d1_copy2 : lowered_chosen_bits_d1;
+    wire [23:0] lowered_chosen_copy4 = swapped_d1 ? tangent1_z_d1 : tangent2_z_d1;
+    wire [23:0] lowered_chosen_copy8 = turned ? lowered_chosen_copy4 : tangent1_z_d1;
+    wire [10:0] lowered_greater_copy2 = (lowered_greater_d1 < lowered_chosen_bits_d1_copy3) ? lowered_chosen_bits_d1_copy3 : lowered_greater_d1;
+    wire [23:0] lowered_chosen_copy9 = turned ? center_x_d1 : tangent2_x_d1;
+    wire [10:0] lowered_greater_copy3 = (lowered_greater_d1_copy2 < lowered_chosen_bits_d1_copy4) ? lowered_chosen_bits_d1_copy4 : lowered_greater_d1_copy2;
+    wire [23:0] lowered_chosen_copy10 = turned ? center_y_d1 : tangent2_y_d1;
+    wire [10:0] lowered_greater_copy4 = (lowered_greater_d1_copy3 < lowered_chosen_bits_d1_copy5) ? lowered_chosen_bits_d1_copy5 : lowered_greater_d1_copy3;
+    wire [23:0] lowered_chosen_copy11 = turned ? center_z_d1 : tangent2_z_d1;
+    wire [10:0] lowered_greater_copy5 = (lowered_greater_d1_copy4 < lowered_chosen_bits_d1_copy6) ? lowered_chosen_bits_d1_copy6 : lowered_greater_d1_copy4;
+    wire [10:0] lowered_chosen_bits_plus_60 = {3'd0, lowered_chosen_d1[22:15]} + 11'd60;
+    wire lowered_in_order = lowered_greater_d1_copy5 < lowered_chosen_bits_plus_60_d1;
+    wire [10:0] lowered_difference = lowered_greater_d1_copy5 - lowered_chosen_bits_plus_60_d1;
+    wire [10:0] lowered = lowered_in_order ? 11'd0 : lowered_difference;
+    wire zero_is_lowered_chosen_bits = 11'd0 == lowered_chosen_bits_d1;
+    wire a_x_inverted = ~zero_is_lowered_chosen_bits;
+    wire a_x_in_order = lowered_d1 < lowered_chosen_bits_d1;
+    wire a_x_in_order_and_a_x_inverted = a_x_in_order & a_x_inverted_d1;
+    wire lowered_chosen_bits_is_255 = 11'd255 == lowered_chosen_bits_d1;
+    wire [10:0] a_x_difference = lowered_chosen_bits_d1 - lowered_d1;
+    wire [10:0] a_x_chosen = lowered_chosen_bits_is_255_d1 ? lowered_chosen_bits_d1 : a_x_difference;
+    wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
+    wire [22:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d1_copy7} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy2 = 11'd0 == lowered_chosen_bits_d1_copy2;
+    wire a_y_inverted = ~zero_is_lowered_chosen_bits_copy2;
+    wire a_y_in_order = lowered_d1 < lowered_chosen_bits_d1_copy2;
+    wire a_y_in_order_and_a_y_inverted = a_y_in_order & a_y_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy2 = 11'd255 == lowered_chosen_bits_d1_copy2;
+    wire [10:0] a_y_difference = lowered_chosen_bits_d1_copy2 - lowered_d1;
+    wire [10:0] a_y_chosen = lowered_chosen_bits_is_255_d1_copy2 ? lowered_chosen_bits_d1_copy2 : a_y_difference;
+    wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
+    wire [22:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d1_copy8} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy3 = 11'd0 == lowered_chosen_bits_d1_copy3;
+    wire alpha_inverted = ~zero_is_lowered_chosen_bits_copy3;
+    wire alpha_in_order = lowered_d1 < lowered_chosen_bits_d1_copy3;
+    wire alpha_both = alpha_in_order & alpha_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy3 = 11'd255 == lowered_chosen_bits_d1_copy3;
+    wire [10:0] alpha_difference = lowered_chosen_bits_d1_copy3 - lowered_d1;
+    wire [10:0] alpha_chosen = lowered_chosen_bits_is_255_d1_copy3 ? lowered_chosen_bits_d1_copy3 : alpha_difference;
+    wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
+    wire [22:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d1_copy9} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy4 = 11'd0 == lowered_chosen_bits_d1_copy4;
+    wire b_x_inverted = ~zero_is_lowered_chosen_bits_copy4;
+    wire b_x_in_order = lowered_d1 < lowered_chosen_bits_d1_copy4;
+    wire b_x_in_order_and_b_x_inverted = b_x_in_order & b_x_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy4 = 11'd255 == lowered_chosen_bits_d1_copy4;
+    wire [10:0] b_x_difference = lowered_chosen_bits_d1_copy4 - lowered_d1;
+    wire [10:0] b_x_chosen = lowered_chosen_bits_is_255_d1_copy4 ? lowered_chosen_bits_d1_copy4 : b_x_difference;
+    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
+    wire [22:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d1_copy10} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy5 = 11'd0 == lowered_chosen_bits_d1_copy5;
+    wire b_y_inverted = ~zero_is_lowered_chosen_bits_copy5;
+    wire b_y_in_order = lowered_d1 < lowered_chosen_bits_d1_copy5;
+    wire b_y_in_order_and_b_y_inverted = b_y_in_order & b_y_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy5 = 11'd255 == lowered_chosen_bits_d1_copy5;
+    wire [10:0] b_y_difference = lowered_chosen_bits_d1_copy5 - lowered_d1;
+    wire [10:0] b_y_chosen = lowered_chosen_bits_is_255_d1_copy5 ? lowered_chosen_bits_d1_copy5 : b_y_difference;
+    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
+    wire [22:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d1_copy11} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy6 = 11'd0 == lowered_chosen_bits_d1_copy6;
+    wire beta_inverted = ~zero_is_lowered_chosen_bits_copy6;
+    wire beta_in_order = lowered_d1 < lowered_chosen_bits_d1_copy6;
+    wire beta_both = beta_in_order & beta_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy6 = 11'd255 == lowered_chosen_bits_d1_copy6;
+    wire [10:0] beta_difference = lowered_chosen_bits_d1_copy6 - lowered_d1;
+    wire [10:0] beta_chosen = lowered_chosen_bits_is_255_d1_copy6 ? lowered_chosen_bits_d1_copy6 : beta_difference;
+    wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
+    wire [22:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d1_copy12} : 23'd0;
+    wire not_turned = ~turned_d1;
+    wire beyond_near_and_not_turned = beyond_near_d2 & not_turned_d1;
+    wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_y;
+    wire zero_is_lowered = 11'd0 == delay_5_from_4_out;
+    wire whole = not_turned_and_whole_in_order & zero_is_lowered;
+    wire before_far_in_order = mul_f24_ftz_unit_y[22:0] < 23'd16;
+    wire [22:0] before_far_difference = mul_f24_ftz_unit_y[22:0] - 23'd16;
+    wire [22:0] before_far_chosen = before_far_in_order ? 23'd0 : before_far_difference;
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
-    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : center_depth_d3;
-    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_lesser_d1;
-    wire visible_both = occupied_x_d1 & center_depth_up_to_one_d4;
-    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both_d1;
-    wire visible = occupied_y_and_visible_both & delay_9_from_7_out;
-    wire end_or_visible = delay_17_from_0_out | visible;
-    wire [9:0] delta_bits_is_255_bits = {2'd0, add_f24_ftz_unit_y[22:15]};
-    wire center_x_bits_below_140 = delta_bits_is_255_bits < 10'd140;
-    wire center_y_bits_below_140 = center_x_bits_below_140;
+    wire [23:0] middle_depth_chosen = delay_7_from_5_out ? center_depth_d9 : 24'd0;
+    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : middle_depth_chosen;
+    wire [23:0] half_depth_chosen_d9 = delay_9_from_7_out[23:0];
+    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_chosen_d9;
+    wire first_x_product_bits_below_16 = mul_f24_ftz_unit_copy4_y[22:0] < 23'd16;
+    wire [22:0] first_x_product_bits_minus_16 = mul_f24_ftz_unit_copy4_y[22:0] - 23'd16;
+    wire [22:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 23'd0 : first_x_product_bits_minus_16;
+    wire first_x_chosen_d11 = delay_11_from_0_out[0];
+    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire last_x_chosen_d11 = delay_11_from_0_out[1];
+    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
+    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_x_chosen_d3;
+    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy4_y : last_x_chosen_d3;
+    wire sight_disc_out_d11 = delay_11_from_6_out[0];
+    wire [23:0] first_x_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
+    wire [23:0] last_x_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
+    wire [23:0] center_y_d5 = delay_5_from_0_out[23:0];
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy7_y[22:0] < 23'd16;
+    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy7_y[22:0] - 23'd16;
+    wire [22:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 23'd0 : first_y_product_bits_minus_16;
+    wire first_y_chosen_d11 = delay_11_from_2_out[0];
+    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire last_y_chosen_d11 = delay_11_from_2_out[1];
+    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
+    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy2_y : first_y_chosen_d4;
+    wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_y_chosen_d3;
+    wire [23:0] first_y_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
+    wire [23:0] last_y_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1_copy2 - 22'd1;
+    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
+    wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
+    wire zero_is_a_x_bits = 11'd0 == a_x_bits_d1_bits;
+    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
+    wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
+    wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
+    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
+    wire zero_is_a_y_bits = 11'd0 == a_y_bits_d1_bits;
+    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
+    wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
+    wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
+    wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
+    wire zero_is_b_x_bits = 11'd0 == b_x_bits_d1_bits;
+    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
+    wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
+    wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
+    wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
+    wire zero_is_b_y_bits = 11'd0 == b_y_bits_d1_bits;
+    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
+    wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
+    wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1;
+    wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d3;
+    wire [10:0] alpha_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d3;
+    wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
+    wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
+    wire [10:0] mx_sum = beta_bits_d3 + a_exponent_plus_127;
+    wire zero_is_beta_bits = zero_is_a_x_bits;
+    wire not_zero_is_beta_bits = ~zero_is_beta_bits;
+    wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
+    wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d3;
+    wire beta_bits_is_255 = 11'd255 == beta_bits_d2;
+    wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
+    wire [10:0] mx_chosen = beta_bits_is_255_d1 ? beta_bits_d3 : mx_sum_minus_m_exponent;
+    wire mx_both_or_beta_bits_is_255 = mx_both_d1 | beta_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d3[14:0]} : 23'd0;
+    wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
+    wire [10:0] mx_sum_copy2 = alpha_bits_d3 + b_exponent_plus_127;
+    wire zero_is_alpha_bits = 11'd0 == alpha_bits_d1_bits;
+    wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
+    wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
+    wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d3;
+    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d2;
+    wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
+    wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d3 : mx_sum_minus_m_exponent_copy2;
+    wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d3[14:0]} : 23'd0;
+    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
+    wire [10:0] largest_sum = delay_5_from_4_out + a_exponent_plus_b_exponent;
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire [10:0] largest_sum_copy2 = largest_sum_d3 + unit_delta_bits_d1_bits;
+    wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
+    wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
+    wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
+    wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d2 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d2;
+    wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum_copy2;
+    wire [10:0] largest_in_order_bits = {3'd0, b_depth_d5[22:15]};
+    wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
+    wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
+    wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
+    wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
+    wire [10:0] lowered_plus_m_exponent = delay_5_from_4_out + m_exponent_d1;
+    wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3_copy2) ? largest_sum_d3_copy2 : largest_greater_d1_copy3;
+    wire [10:0] a_x_bits_plus_381 = a_x_bits_d2 + 11'd381;
+    wire exponent_in_order = largest_d1 < a_x_bits_plus_381_d1;
+    wire exponent_both = not_zero_is_a_x_bits_d3 & exponent_in_order;
+    wire [10:0] exponent_difference = a_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen = a_x_bits_is_255_d3 ? a_x_bits_d3 : exponent_difference;
+    wire exponent_either = a_x_bits_is_255_d3 | exponent_both_d1;
+    wire [22:0] exponent_chosen_copy2 = exponent_either ? exponent_joined_d1 : 23'd0;
+    wire [10:0] a_y_bits_plus_381 = a_y_bits_d2 + 11'd381;
+    wire exponent_in_order_copy2 = largest_d1 < a_y_bits_plus_381_d1;
+    wire exponent_both_copy2 = not_zero_is_a_y_bits_d3 & exponent_in_order_copy2;
+    wire [10:0] exponent_difference_copy2 = a_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy3 = a_y_bits_is_255_d3 ? a_y_bits_d3 : exponent_difference_copy2;
+    wire exponent_either_copy2 = a_y_bits_is_255_d3 | exponent_both_d1_copy2;
+    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? exponent_joined_d1_copy3 : 23'd0;
+    wire [10:0] b_x_bits_plus_381 = b_x_bits_d2 + 11'd381;
+    wire exponent_in_order_copy3 = largest_d1 < b_x_bits_plus_381_d1;
+    wire exponent_both_copy3 = not_zero_is_b_x_bits_d3 & exponent_in_order_copy3;
+    wire [10:0] exponent_difference_copy3 = b_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy5 = b_x_bits_is_255_d3 ? b_x_bits_d3 : exponent_difference_copy3;
+    wire [10:0] b_y_bits_plus_381 = b_y_bits_d2 + 11'd381;
+    wire exponent_in_order_copy4 = largest_d1 < b_y_bits_plus_381_d1;
+    wire exponent_both_copy4 = not_zero_is_b_y_bits_d3 & exponent_in_order_copy4;
+    wire [10:0] exponent_difference_copy4 = b_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy7 = b_y_bits_is_255_d3 ? b_y_bits_d3 : exponent_difference_copy4;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d3;
+    wire [10:0] delta_sum = unit_delta_bits_d1_bits + largest_sum_plus_127_copy2;
+    wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
+    wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
+    wire largest_below_delta_sum = largest_d1 < delta_sum_d1;
+    wire delta_both = largest_below_delta_sum & not_zero_is_unit_delta_bits_d1;
+    wire unit_delta_bits_is_255 = 11'd255 == unit_delta_bits_d1_bits;
+    wire [10:0] delta_sum_minus_largest = delta_sum_d1 - largest_d1;
+    wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d1 : delta_sum_minus_largest;
+    wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
+    wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
+    wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
+    wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
+    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] mx_sum_plus_mx_bits = mx_sum_d3 + mx_bits_d1_bits;
+    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire mx_in_order = largest_d1 < mx_sum_plus_mx_bits_d1;
+    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_bits_d1;
+    wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
+    wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] mx_sum_plus_my_bits = mx_sum_d3 + my_bits_d1_bits;
+    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire my_in_order = largest_d1 < mx_sum_plus_my_bits_d1;
+    wire my_both = my_in_order & not_zero_is_my_bits_d1;
+    wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
+    wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
+    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
+    wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire before_far_d12 = delay_12_from_6_out[1];
+    wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
+    wire before_far_and_occupied_x = before_far_d12 & occupied_x;
+    wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1_copy2;
+    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
+    wire turned_and_lowered_chosen_sign_d9 = delay_9_from_6_out[1];
+    wire sight_negative_out = add_f24_ftz_unit_copy6_y[23] ^ turned_and_lowered_chosen_sign_d9;
+    wire not_exponent_joined_sign = ~a_x_sign_d4;
+    wire not_exponent_joined_sign_copy2 = ~a_y_sign_d3;
+    wire reaches_near_and_visible_both = delay_17_from_2_out & visible_both_d1;
+    wire visible = reaches_near_and_visible_both & delay_10_from_1_out;
+    wire end_or_visible = delay_19_from_0_out | visible;
+    wire center_x_bits_below_140 = {2'd0, add_f24_ftz_unit_copy4_y[22:15]} < 10'd140;
+    wire center_y_bits_below_140 = {2'd0, add_f24_ftz_unit_copy3_y[22:15]} < 10'd140;
     wire placed = center_x_bits_below_140_d1 & center_y_bits_below_140;
-    wire [27:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
+    wire [27:0] center_x_out_sum_bits = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s27q13_unit_y[26];
-    wire [27:0] center_x_out_sum = center_y_out_sum_bits + {27'd0, not_center_x_fixed_sign};
+    wire [27:0] center_x_out_sum = center_x_out_sum_bits + {27'd0, not_center_x_fixed_sign};
     wire [27:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(28'h1ffffff)) ? center_x_out_shifted_d1 : 28'h1ffffff;
-    wire [25:0] center_x_out_d9 = delay_9_from_1_out[25:0];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
-    wire [27:0] center_y_out_sum = center_y_out_sum_bits + {27'd0, not_center_y_fixed_sign};
+    wire [27:0] center_y_out_sum = center_x_out_sum_bits + {27'd0, not_center_y_fixed_sign};
     wire [27:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(28'h1ffffff)) ? center_y_out_shifted_d1 : 28'h1ffffff;
-    wire [25:0] center_y_out_d9 = delay_9_from_1_out[51:26];
-    wire [8:0] first_x = first_x_chosen[8:0];
+    wire [25:0] center_y_out_d11 = delay_11_from_0_out[27:2];
+    wire [8:0] first_x = first_x_shifted_d1_shifted[8:0];
     wire [26:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
     wire [26:0] last_x_plus_1 = 27'd1 + {18'd0, last_x_d1};
     wire [26:0] shift_difference_copy2 = shift_shifted_d1_copy2 - center_x_out_d1;
     wire [26:0] not_shift_difference = ~shift_difference_d1;
     wire [26:0] shift_chosen = shift_difference_d1[26] ? not_shift_difference : shift_difference_d1;
     wire [26:0] not_shift_difference_copy2 = ~shift_difference_copy2;
-    wire [8:0] first_y = first_y_chosen[8:0];
+    wire [8:0] first_y = first_y_shifted_d1_shifted[8:0];
     wire [26:0] shift_difference_copy3 = shift_shifted_d1_copy3 - center_y_out_d1;
     wire [26:0] last_y_plus_1 = 27'd1 + {18'd0, last_y_d1};
     wire [26:0] shift_difference_copy4 = shift_shifted_d1_copy4 - center_y_out_d1;
@@ -5067,120 +5771,132 @@ module splat_setup (
     wire [26:0] not_shift_difference_copy4 = ~shift_difference_copy4;
     wire [26:0] shift_chosen_copy4 = shift_difference_d1_copy4[26] ? not_shift_difference_d1_copy2 : shift_difference_d1_copy4;
     wire [25:0] shift_either_copy3 = shift_either_d1 | shift_chosen_copy4[25:0];
-    wire shift_either_bits_is_zero = shift_either_bits_d1 == 11'd0;
-    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
-    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy2 == 10'd0;
-    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
-    wire zero_is_shift_either_bits = 9'd0 == shift_either_bits_d1_copy3;
+    wire zero_is_shift_either_bits = 11'd0 == shift_either_bits_d1;
     wire not_zero_is_shift_either_bits = ~zero_is_shift_either_bits;
-    wire [3:0] shift_chosen_copy5 = not_shift_either_bits_is_zero_d1 ? 4'd1 : 4'd0;
-    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd2 : shift_chosen_copy5;
-    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1 ? 4'd3 : shift_chosen_copy6;
-    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy4 == 8'd0;
-    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
-    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy5 == 7'd0;
-    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
-    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy6 == 6'd0;
-    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
-    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd4 : shift_chosen_d1;
-    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd5 : shift_chosen_copy8;
-    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd6 : shift_chosen_copy9;
-    wire shift_either_bits_is_zero_copy6 = shift_either_bits_d1_copy7 == 5'd0;
-    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_copy6;
-    wire zero_is_shift_either_bits_copy2 = 4'd0 == shift_either_bits_d1_copy8;
+    wire shift_either_bits_is_zero = shift_either_bits_d1_copy2 == 10'd0;
+    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
+    wire zero_is_shift_either_bits_copy2 = 9'd0 == shift_either_bits_d1_copy3;
     wire not_zero_is_shift_either_bits_copy2 = ~zero_is_shift_either_bits_copy2;
-    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[25:23] == 3'd0;
-    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1;
-    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy6 ? 4'd7 : shift_chosen_d1_copy2;
-    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd8 : shift_chosen_copy11;
-    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy7 ? 4'd9 : shift_chosen_copy12;
-    wire shift_either_bits_is_zero_copy8 = shift_either_copy3[25:24] == 2'd0;
+    wire [3:0] shift_chosen_copy5 = not_zero_is_shift_either_bits_d1 ? 4'd1 : 4'd0;
+    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1 ? 4'd2 : shift_chosen_copy5;
+    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd3 : shift_chosen_copy6;
+    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy4 == 8'd0;
+    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
+    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy5 == 7'd0;
+    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
+    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy6 == 6'd0;
+    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
+    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd4 : shift_chosen_d1;
+    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd5 : shift_chosen_copy8;
+    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd6 : shift_chosen_copy9;
+    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy7 == 5'd0;
+    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
+    wire zero_is_shift_either_bits_copy3 = 4'd0 == shift_either_bits_d1_copy8;
+    wire not_zero_is_shift_either_bits_copy3 = ~zero_is_shift_either_bits_copy3;
+    wire shift_either_bits_is_zero_copy6 = shift_either_copy3[25:23] == 3'd0;
+    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_d1;
+    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd7 : shift_chosen_d1_copy2;
+    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy3 ? 4'd8 : shift_chosen_copy11;
+    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy6 ? 4'd9 : shift_chosen_copy12;
+    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[25:24] == 2'd0;
     wire shift_either_sign_is_zero = ~shift_either_copy3[25];
     wire not_shift_either_sign_is_zero = ~shift_either_sign_is_zero_d1;
-    wire not_shift_either_bits_is_zero_copy8 = ~shift_either_bits_is_zero_d1_copy2;
-    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy8 ? 4'd10 : shift_chosen_d1_copy3;
+    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1_copy2;
+    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy7 ? 4'd10 : shift_chosen_d1_copy3;
     wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
     wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
-    wire [9:0] delta_bits_d10 = delay_10_from_6_out[10:1];
+    wire [9:0] delta_bits_d10 = delay_9_from_6_out[12:3];
     wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d10;
     wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d10 - shift_plus_4_d1;
-    wire [9:0] exponent_chosen = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
-    wire [9:0] b_x_bits_d12 = delay_12_from_6_out[19:10];
-    wire [9:0] a_y_bits_d12 = delay_12_from_6_out[29:20];
-    wire [9:0] b_y_bits_d1_bits = {2'd0, mul_f24_ftz_unit_copy4_y[22:15]};
-    wire [9:0] b_y_bits_d12 = delay_11_from_6_out[9:0];
-    wire [9:0] mx_bits_d10 = delay_10_from_6_out[20:11];
-    wire [9:0] a_x_bits_d12 = delay_12_from_6_out[9:0];
-    wire [9:0] exponent_greater = (exponent_chosen_d1 < a_x_bits_d12) ? a_x_bits_d12 : exponent_chosen_d1;
-    wire [9:0] exponent_greater_copy2 = (b_x_bits_d13 < exponent_greater_d1) ? exponent_greater_d1 : b_x_bits_d13;
-    wire [9:0] exponent_greater_copy3 = (a_y_bits_d13 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : a_y_bits_d13;
-    wire [9:0] exponent_greater_copy4 = (b_y_bits_d13 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : b_y_bits_d13;
+    wire [9:0] exponent_chosen_copy11 = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
+    wire exponent_either_copy3 = b_x_bits_is_255_d3 | exponent_both_d1_copy3;
+    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? exponent_joined_d1_copy5 : 23'd0;
+    wire exponent_either_copy4 = b_y_bits_is_255_d3 | exponent_both_d1_copy4;
+    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? exponent_joined_d1_copy6 : 23'd0;
+    wire [9:0] exponent_joined_bits_d10_copy2 = delay_9_from_6_out[32:23];
+    wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_bits_d1_copy2} : 23'd0;
+    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
+    wire [9:0] mx_bits_d10 = delay_9_from_6_out[42:33];
+    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
+    wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen_d1, my_bits_d1_copy2} : 23'd0;
+    wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
+    wire [9:0] my_bits_d10 = delay_9_from_6_out[52:43];
+    wire [9:0] exponent_chosen_bits_d10 = delay_10_from_7_out[9:0];
+    wire [9:0] exponent_greater = (exponent_chosen_d1 < exponent_chosen_bits_d10) ? exponent_chosen_bits_d10 : exponent_chosen_d1;
+    wire [9:0] exponent_joined_bits_d10 = delay_9_from_6_out[22:13];
+    wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d10 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d10;
+    wire [9:0] exponent_chosen_bits_d10_copy2 = delay_10_from_7_out[19:10];
+    wire [9:0] exponent_greater_copy3 = (exponent_chosen_bits_d10_copy2 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_chosen_bits_d10_copy2;
+    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d11 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d11;
     wire [9:0] exponent_greater_copy5 = (mx_bits_d11 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d11;
     wire [9:0] exponent = (my_bits_d11 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d11;
-    wire [9:0] a_x_bits_plus_126 = a_x_bits_d12 + 10'd126;
-    wire ax_out_in_order = exponent_d1 < a_x_bits_plus_126_d1;
-    wire not_zero_is_a_x_bits_d13 = delay_13_from_6_out[0];
-    wire ax_out_both = ax_out_in_order & not_zero_is_a_x_bits_d13;
-    wire a_x_sign_d12 = delay_12_from_5_out[0];
-    wire [9:0] ax_out_difference = a_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_chosen_bits_plus_126 = exponent_chosen_bits_d10 + 10'd126;
+    wire zero_is_exponent_chosen_bits = 10'd0 == exponent_chosen_bits_d10;
+    wire ax_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1;
+    wire ax_out_inverted = ~zero_is_exponent_chosen_bits_d1;
+    wire ax_out_both = ax_out_in_order & ax_out_inverted;
+    wire exponent_chosen_sign_d11 = delay_11_from_7_out[0];
+    wire [9:0] ax_out_difference = exponent_chosen_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] a_x_bits_d12_copy2 = delay_12_from_5_out[15:1];
+    wire [14:0] exponent_chosen_bits_d11 = delay_11_from_7_out[15:1];
     wire [17:0] ax_out_sum_bits = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s17q16_unit_y[16];
     wire [17:0] ax_out_sum = ax_out_sum_bits + {17'd0, not_ax_out_joined_fixed_sign};
     wire [17:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(18'h7fff)) ? ax_out_shifted_d1 : 18'h7fff;
-    wire [9:0] b_x_bits_plus_126 = b_x_bits_d12 + 10'd126;
-    wire bx_out_in_order = exponent_d1 < b_x_bits_plus_126_d1;
-    wire not_zero_is_b_x_bits_d13 = delay_13_from_6_out[1];
-    wire bx_out_both = bx_out_in_order & not_zero_is_b_x_bits_d13;
-    wire b_x_sign_d12 = delay_12_from_5_out[16];
-    wire [9:0] bx_out_difference = b_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d10 + 10'd126;
+    wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
+    wire bx_out_inverted_d11 = delay_11_from_7_out[16];
+    wire bx_out_both = bx_out_in_order & bx_out_inverted_d11;
+    wire exponent_joined_sign_d11 = delay_11_from_6_out[1];
+    wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] b_x_bits_d12_copy2 = delay_12_from_5_out[31:17];
+    wire [14:0] exponent_joined_bits_d11_copy2 = delay_11_from_6_out[16:2];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] bx_out_sum = ax_out_sum_bits + {17'd0, not_bx_out_joined_fixed_sign};
     wire [17:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(18'h7fff)) ? bx_out_shifted_d1 : 18'h7fff;
-    wire [9:0] a_y_bits_plus_126 = a_y_bits_d12 + 10'd126;
-    wire ay_out_in_order = exponent_d1 < a_y_bits_plus_126_d1;
-    wire not_zero_is_a_y_bits_d13 = delay_13_from_6_out[2];
-    wire ay_out_both = ay_out_in_order & not_zero_is_a_y_bits_d13;
-    wire a_y_sign_d12 = delay_12_from_5_out[32];
-    wire [9:0] ay_out_difference = a_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_chosen_bits_plus_126_copy2 = exponent_chosen_bits_d10_copy2 + 10'd126;
+    wire zero_is_exponent_chosen_bits_copy2 = 10'd0 == exponent_chosen_bits_d10_copy2;
+    wire ay_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1_copy2;
+    wire ay_out_inverted = ~zero_is_exponent_chosen_bits_d1_copy2;
+    wire ay_out_both = ay_out_in_order & ay_out_inverted;
+    wire exponent_chosen_sign_d11_copy2 = delay_11_from_7_out[17];
+    wire [9:0] ay_out_difference = exponent_chosen_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] a_y_bits_d12_copy2 = delay_12_from_5_out[47:33];
+    wire [14:0] exponent_chosen_bits_d11_copy2 = delay_11_from_7_out[32:18];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] ay_out_sum = ax_out_sum_bits + {17'd0, not_ay_out_joined_fixed_sign};
     wire [17:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(18'h7fff)) ? ay_out_shifted_d1 : 18'h7fff;
-    wire [9:0] b_y_bits_plus_126 = b_y_bits_d12 + 10'd126;
-    wire by_out_in_order = exponent_d1 < b_y_bits_plus_126_d1;
-    wire not_zero_is_b_y_bits_d13 = delay_13_from_6_out[3];
-    wire by_out_both = by_out_in_order & not_zero_is_b_y_bits_d13;
-    wire b_y_sign_d12 = delay_12_from_5_out[48];
-    wire [9:0] by_out_difference = b_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d10_copy2 + 10'd126;
+    wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
+    wire by_out_inverted_d11 = delay_11_from_7_out[33];
+    wire by_out_both = by_out_in_order & by_out_inverted_d11;
+    wire exponent_joined_sign_d11_copy2 = delay_11_from_6_out[17];
+    wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] b_y_bits_d12_copy2 = delay_12_from_5_out[63:49];
+    wire [14:0] exponent_joined_bits_d11_copy3 = delay_11_from_6_out[32:18];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] by_out_sum = ax_out_sum_bits + {17'd0, not_by_out_joined_fixed_sign};
     wire [17:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(18'h7fff)) ? by_out_shifted_d1 : 18'h7fff;
     wire [9:0] mx_bits_plus_126 = mx_bits_d10 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d11 = delay_11_from_6_out[10];
+    wire not_zero_is_mx_bits_d11 = delay_11_from_7_out[34];
     wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d11;
-    wire mx_sign_d11 = delay_11_from_6_out[11];
+    wire mx_sign_d11 = delay_11_from_6_out[33];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d11_copy2 = delay_11_from_6_out[26:12];
+    wire [14:0] mx_bits_d11_copy2 = delay_11_from_6_out[48:34];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] mx_out_sum = ax_out_sum_bits + {17'd0, not_mx_out_joined_fixed_sign};
     wire [17:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(18'h7fff)) ? mx_out_shifted_d1 : 18'h7fff;
-    wire [9:0] my_bits_plus_126 = delay_10_from_1_out + 10'd126;
+    wire [9:0] my_bits_plus_126 = my_bits_d10 + 10'd126;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire not_zero_is_my_bits_d11 = delay_11_from_1_out[0];
+    wire not_zero_is_my_bits_d11 = delay_11_from_7_out[35];
     wire my_out_both = my_out_in_order & not_zero_is_my_bits_d11;
-    wire my_sign_d11 = delay_11_from_1_out[1];
+    wire my_sign_d11 = delay_11_from_6_out[49];
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
-    wire [14:0] my_bits_d11_copy2 = delay_11_from_1_out[16:2];
+    wire [14:0] my_bits_d11_copy2 = delay_11_from_6_out[64:50];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] my_out_sum = ax_out_sum_bits + {17'd0, not_my_out_joined_fixed_sign};
     wire [17:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(18'h7fff)) ? my_out_shifted_d1 : 18'h7fff;
@@ -5188,137 +5904,286 @@ module splat_setup (
     wire [9:0] delta_bits_plus_126 = delta_bits_d11 + 10'd126;
     wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
     wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d11 = delay_10_from_6_out[0];
-    wire not_zero_is_delta_bits_d11 = delay_11_from_6_out[27];
+    wire delta_sign_d10 = delay_10_from_4_out[0];
+    wire not_zero_is_delta_bits_d11 = delay_11_from_7_out[36];
     wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d11;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d11_copy2 = delay_11_from_6_out[42:28];
+    wire [14:0] delta_bits_d10_copy2 = delay_10_from_4_out[15:1];
     wire [21:0] vanishes_sum_bits = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s21q20_unit_y[20];
     wire [21:0] vanishes_sum = vanishes_sum_bits + {21'd0, not_vanishes_joined_fixed_sign};
     wire [21:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(22'h7ffff)) ? vanishes_shifted_d1 : 22'h7ffff;
-    wire [9:0] a_x_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_y[22:15]};
-    wire a_x_bits_is_255 = a_x_bits_is_255_bits == 10'd255;
-    wire [9:0] b_x_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire b_x_bits_is_255 = b_x_bits_is_255_bits == 10'd255;
-    wire odd_either = a_x_bits_is_255 | b_x_bits_is_255;
-    wire [9:0] a_y_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire a_y_bits_is_255 = a_y_bits_is_255_bits == 10'd255;
-    wire odd_either_or_a_y_bits_is_255 = odd_either_d1 | a_y_bits_is_255_d1;
-    wire b_y_bits_is_255 = b_y_bits_d1 == 10'd255;
-    wire odd_either_copy2 = odd_either_or_a_y_bits_is_255 | b_y_bits_is_255;
-    wire [9:0] mx_bits_is_255_bits = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire mx_bits_is_255 = mx_bits_is_255_bits == 10'd255;
-    wire odd_either_or_mx_bits_is_255 = odd_either_d2 | mx_bits_is_255;
-    wire [9:0] delay_10_from_1_data_bits = {2'd0, add_f24_ftz_unit_copy5_y[22:15]};
-    wire my_bits_is_255 = delay_10_from_1_data_bits == 10'd255;
-    wire odd_either_copy3 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255;
-    wire delta_bits_is_255 = delta_bits_is_255_bits == 10'd255;
+    wire turned_d10 = delay_9_from_6_out[0];
+    wire [23:0] exponent_chosen_copy9 = turned_d10 ? exponent_joined_d1_copy7 : exponent_joined_d1_copy2;
+    wire exponent_chosen_bits_is_255 = {2'd0, exponent_chosen_copy9[22:15]} == 10'd255;
+    wire exponent_joined_bits_is_255 = exponent_joined_bits_d1 == 10'd255;
+    wire [23:0] exponent_chosen_copy10 = turned_d10 ? exponent_joined_d1_copy8 : exponent_joined_d1_copy4;
+    wire exponent_chosen_bits_is_255_copy2 = {2'd0, exponent_chosen_copy10[22:15]} == 10'd255;
+    wire odd_either = exponent_chosen_bits_is_255_d1 | exponent_joined_bits_is_255_d1;
+    wire odd_either_copy2 = odd_either | exponent_chosen_bits_is_255_d1_copy2;
+    wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy2 == 10'd255;
+    wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_copy2;
+    wire mx_bits_is_255_copy2 = mx_bits_d1_copy4 == 10'd255;
+    wire my_bits_is_255_copy2 = my_bits_d1_copy4 == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_d1 | mx_bits_is_255_d1_copy2;
+    wire odd_either_copy4 = odd_either_or_mx_bits_is_255 | my_bits_is_255_d1_copy2;
+    wire delta_bits_is_255 = delta_bits_d1 == 10'd255;
+    wire odd = odd_either_copy4 | delta_bits_is_255;
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(20'd32);
     wire vanishes_in_order_copy3 = $signed(20'hfffe0) < $signed(vanishes_lesser_d1);
     wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
-    wire not_placed = ~placed_d2;
-    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
-    wire edge_on_or_not_placed = edge_on | not_placed_d1;
-    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : alpha_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? v_x_d1 : mul_f24_ftz_unit_y) : phase[0] ? tangent1_z_d3 : t_x_sum_d2;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? b_x_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? beta_d3 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? a_x_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? tangent2_z_d3 : a_x_squared_plus_b_x_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d6) : phase[0] ? b_x_d1 : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? b_x_d1 : tangent1_y_d3) : phase[0] ? center_x_d3 : t_y_sum_d2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y) : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_b_depth_d1) : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_y_d1 : tangent2_y_d3) : phase[0] ? tangent1_x_d3 : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? b_y_d1 : alpha_d3) : phase[0] ? recip_f24_ftz_unit_y : q_d4;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : half_depth_d1) : phase[0] ? alpha_d3 : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? b_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? b_y_d1 : v_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : beta_d3) : phase[0] ? beta_d3 : a_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? center_y_d3 : root_of_q_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : a_x_d1) : phase[0] ? a_x_d1 : b_y_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? a_x_times_b_y_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : center_x_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire not_placed = ~placed_d1;
+    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
+    wire edge_on_or_not_placed = edge_on | not_placed_d3;
+    wire covers_nothing = vanishes_d1 | delay_11_from_3_out;
+    wire [10:0] sight_near_out_bits_d8 = delay_8_from_7_out[11:1];
+    wire [10:0] sight_near_out_bits_plus_126 = 11'd126 + sight_near_out_bits_d8;
+    wire sight_near_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_near_out_bits_plus_126_d1;
+    wire sight_near_out_bits_is_255 = 11'd255 == sight_near_out_bits_d8;
+    wire [10:0] sight_near_out_sum = 11'd255 + {1'd0, shift_plus_4_plus_exponent};
+    wire sight_near_out_inverted_d9 = delay_9_from_7_out[24];
+    wire sight_near_out_both = sight_near_out_in_order_d1 & sight_near_out_inverted_d9;
+    wire sight_near_out_in_order_copy2 = ~(sight_near_out_bits_plus_126_d1 < sight_near_out_sum_d1);
+    wire sight_near_out_both_copy2 = sight_near_out_both & sight_near_out_in_order_copy2;
+    wire not_sight_near_out_bits_is_255 = ~sight_near_out_bits_is_255;
+    wire [10:0] sight_near_out_difference = sight_near_out_bits_plus_126_d1 - {1'd0, shift_plus_4_plus_exponent};
+    wire sight_near_out_either = sight_near_out_both | sight_near_out_bits_is_255_d1;
+    wire sight_near_out_both_copy3 = sight_near_out_both_d1 & not_sight_near_out_bits_is_255_d1;
+    wire [10:0] sight_near_out_chosen = sight_near_out_both_copy3 ? 11'd255 : sight_near_out_difference_d1;
+    wire [10:0] sight_near_out_chosen_copy2 = sight_near_out_bits_is_255_d1 ? sight_near_out_bits_d9 : sight_near_out_chosen;
+    wire [14:0] sight_near_out_bits_d9_copy2 = delay_9_from_7_out[39:25];
+    wire [14:0] sight_near_out_chosen_copy3 = sight_near_out_both_copy3 ? 15'd0 : sight_near_out_bits_d9_copy2;
+    wire beyond_near_d8 = delay_8_from_5_out[0];
+    wire [19:0] sight_near_out_chosen_copy5 = beyond_near_d8 ? 20'hfffff : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [10:0] abs_sight_far_out_product_bits_d8 = delay_8_from_7_out[22:12];
+    wire [10:0] sight_far_out_sum = 11'd126 + abs_sight_far_out_product_bits_d8;
+    wire sight_far_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_far_out_sum_d1;
+    wire sight_far_out_same_copy2 = 11'd255 == abs_sight_far_out_product_bits_d8;
+    wire not_sight_far_out_same_d9 = delay_9_from_7_out[41];
+    wire sight_far_out_both = sight_far_out_in_order_d1 & not_sight_far_out_same_d9;
+    wire sight_far_out_in_order_copy2 = ~(sight_far_out_sum_d1 < sight_near_out_sum_d1);
+    wire sight_far_out_both_copy2 = sight_far_out_both & sight_far_out_in_order_copy2;
+    wire not_sight_far_out_same_copy2 = ~sight_far_out_same_copy2;
+    wire [10:0] sight_far_out_difference = sight_far_out_sum_d1 - {1'd0, shift_plus_4_plus_exponent};
+    wire sight_far_out_either = sight_far_out_both | sight_far_out_same_d1;
+    wire sight_far_out_both_copy3 = sight_far_out_both_d1 & not_sight_far_out_same_d1;
+    wire [10:0] sight_far_out_chosen = sight_far_out_both_copy3 ? 11'd255 : sight_far_out_difference_d1;
+    wire [10:0] sight_far_out_chosen_copy2 = sight_far_out_same_d1 ? abs_sight_far_out_product_bits_d9 : sight_far_out_chosen;
+    wire [14:0] abs_sight_far_out_product_bits_d9_copy2 = delay_9_from_7_out[56:42];
+    wire [14:0] sight_far_out_chosen_copy3 = sight_far_out_both_copy3 ? 15'd0 : abs_sight_far_out_product_bits_d9_copy2;
+    wire abs_sight_far_out_product_sign_d9 = delay_9_from_7_out[57];
+    wire [22:0] sight_far_out_chosen_copy4 = sight_far_out_either_d1 ? sight_far_out_joined_d1 : 23'd0;
+    wire all_before_far_d8 = delay_8_from_7_out[0];
+    wire [19:0] sight_far_out_chosen_copy5 = all_before_far_d8 ? 20'd0 : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [19:0] sight_far_out = covers_nothing ? 20'd0 : sight_far_out_chosen_copy5;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : 24'd0;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : first_x_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice = phase[1] ? 24'd0 : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? first_y_chosen_d1_copy3 : middle_depth_d1) : add_f24_ftz_unit_copy6_y;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_minus_epsilon_d1;
+    wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? max_f24_ftz_unit_copy2_b_choice_2 : phase[0] ? last_y_lesser_d1 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] lt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? near_plane : 24'h3d0000) : phase[0] ? 24'd0 : center_z_d1;
+    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy5_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : in_center_z) : in_center_z;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0) : lt_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy5_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? spread_middle_d1 : depth_a;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? spread_half_d2 : mul_f24_ftz_unit_y;
+    wire not_depth_a_sign = ~depth_a[23];
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? epsilon_bias : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? filter_radius : center_z_d1) : phase[0] ? delay_5_from_7_out : delay_7_from_3_out;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : center_y_minus_t_y_d4) : phase[0] ? center_x_d9 : a_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? center_x_d9 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
     wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_filter_radius : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_y_minus_t_y_d4) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_minus_t_x_d4) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] minus_mul_f24_ftz_unit_copy5_y = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy5_y : minus_h_y_d1) : mul_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : minus_filter_radius) : phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? b_depth_d5 : sqrt_f24_ftz_unit_y) : phase[0] ? r_times_tangent2_x_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_y_d9;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy3_b_choice : phase[0] ? mul_f24_ftz_unit_copy5_y : center_y_minus_t_y_d4;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[0] ? {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]} : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? depth_a : center_x_minus_t_x_d4) : add_f24_ftz_unit_copy3_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : filter_radius) : filter_radius;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? center_y_d4 : phase[0] ? r_times_tangent1_y_d1 : center_depth_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]} : center_y_d8;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : alpha_times_b_x_d1) : alpha_times_b_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? alpha_times_b_x_d1 : phase[0] ? r_times_tangent2_y_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : minus_beta_times_a_x_d1) : minus_beta_times_a_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? minus_beta_times_a_x_d1 : phase[0] ? minus_mul_f24_ftz_unit_copy6_y : epsilon_bias;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_y_greater_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? center_x_minus_filter_radius_d1 : abs_b_depth_d2;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : filter_radius_plus_center_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : minus_h_y_d1) : phase[0] ? minus_filter_radius : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : center_x_minus_t_x_d4) : phase[0] ? center_y_d5 : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mx_product_d1) : phase[0] ? origin_y : b_x_joined_times_r_d1;
+    wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : minus_mx_product_d1) : add_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? origin_x : sqrt_f24_ftz_unit_y) : phase[0] ? minus_filter_radius : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : middle_depth_d3) : phase[0] ? origin_y : origin_x;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? first_x_joined_d1_copy2 : center_x_minus_t_x_d4) : phase[0] ? center_y_d9 : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy7_y : {~epsilon_d1[23], epsilon_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy4_b_choice_2 : phase[0] ? first_y_joined_d1_copy2 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[0] ? center_y_d1 : center_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = phase[1] ? (phase[0] ? my_product_d1 : filter_radius) : phase[0] ? filter_radius : a_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? minus_my_product_d1 : center_y_d9) : phase[0] ? center_y_d9 : minus_mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? unit_delta_product_d1 : phase[0] ? unit_delta_product_d1 : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : first_x_joined_d1) : epsilon_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? minus_unit_delta_product_d1 : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? minus_unit_delta_product_d1 : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
+    wire [23:0] f_chosen = whole_d1 ? e_d1 : delay_5_from_5_out;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? q_d4 : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? half_depth_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : f_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : depth_b) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_y) : phase[0] ? before_far_sum_d1 : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? scale_x : b_depth_d7) : phase[0] ? beta_d3 : beta_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_times_f_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? unit_delta_joined_d1_copy4 : a_x_squared_plus_b_x_squared_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_copy2_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? scale_x : delay_7_from_4_out) : phase[0] ? mul_f24_ftz_unit_copy2_y : v_x_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? unit_delta_joined_d1_copy3 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y) : phase[0] ? delta_d1 : f_times_scale_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? b_y_joined_d2 : b_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? scale_y : scale_x) : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : phase[0] ? r_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[0] ? sight_near_out_joined : a_y_squared_plus_b_y_squared_d2;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy5_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : a_y_d1) : phase[0] ? alpha_d3 : v_y_chosen_d3;
+    wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_y) : phase[0] ? one_minus_depth_a_d9 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : a_y_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? delta_times_one_over_b_depth_d1 : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_y_d1) : phase[0] ? beta_d3 : a_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : b_y_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? q_d2 : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? before_far_joined_d1 : phase[0] ? before_far_joined_d1 : 24'h3f8000;
+    wire [23:0] le_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? first_x_chosen_d1_copy2 : phase[0] ? 24'h45fff8 : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? first_y_chosen_d1_copy2 : 24'h45fff8) : 24'h45fff8;
+    wire [23:0] delay_7_from_4_data_bits = {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? last_y_chosen_d1_copy3 : delay_7_from_4_data_bits;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[0] ? center_y_minus_filter_radius_d1 : last_x_chosen_d1_copy3;
     wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = phase[1] ? (phase[0] ? bx_out_joined_d1 : ax_out_joined_d1) : my_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = phase[1] ? (phase[0] ? my_out_joined_d1 : mx_out_joined_d1) : phase[0] ? by_out_joined_d1 : ay_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? depth_high_out_greater_d1 : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [25:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 26'h2000000;
-    wire [25:0] center_x_out = placed_d2 ? center_x_out_lesser_d1 : 26'h2000000;
-    wire zero_is_my_bits = 10'd0 == delay_10_from_1_data_bits;
-    wire not_zero_is_my_bits = ~zero_is_my_bits;
-    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
-    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d1;
-    wire zero_is_delta_bits = 10'd0 == delta_bits_is_255_bits;
-    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
-    wire zero_is_mx_bits = 10'd0 == mx_bits_is_255_bits;
-    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire zero_is_b_y_bits = 10'd0 == b_y_bits_d1_bits;
-    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
-    wire zero_is_a_y_bits = 10'd0 == a_y_bits_is_255_bits;
-    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
-    wire zero_is_b_x_bits = 10'd0 == b_x_bits_is_255_bits;
-    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
-    wire zero_is_a_x_bits = 10'd0 == a_x_bits_is_255_bits;
-    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire [23:0] to_fixed_f24_ftz_s27q13_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : phase[0] ? ax_out_joined_d1 : my_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
+    wire sight_near_out_bits_d9_copy3 = delay_9_from_7_out[40];
+    wire [22:0] sight_near_out_chosen_copy4 = sight_near_out_either_d1 ? sight_near_out_joined_d1 : 23'd0;
+    wire [23:0] to_fixed_f24_ftz_u20q19_unit_a_choice = phase[0] ? sight_far_out_joined_d1_copy2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
+    wire [23:0] to_fixed_f24_ftz_u20q19_unit_a_choice_2 = phase[1] ? to_fixed_f24_ftz_u20q19_unit_a_choice : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
+    wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
+    wire [25:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 26'h2000000;
+    wire [25:0] center_y_out = placed_d1 ? center_y_out_lesser_d1 : 26'h2000000;
+    wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_y;
+    wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy2_y : lt_f24_ftz_unit_y;
+    wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy2_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
+    wire visible_unequal_d9 = delay_9_from_6_out[2];
+    wire visible_unequal_copy3 = sight_negative_out_d1 ^ visible_unequal_d9;
+    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy3;
+    wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy2_y;
+    wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy2_y : first_y_in_order_d1_copy3;
+    wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_y;
+    wire odd_or_edge_on_or_not_placed = odd_d1 | edge_on_or_not_placed_d2;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
-    wire visible_unequal_copy2 = delta_sign_d1 ^ visible_unequal;
-    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
+    wire swapped_and_turned = swapped_d1 & turned;
+    wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
+    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
+    wire before_far = before_far_both | before_far_in_order_d2;
+    wire all_before_far = beyond_near;
+    wire sight_far_out_same = zero_is_b_y_bits;
+    wire not_sight_far_out_same = ~sight_far_out_same;
+    wire zero_is_sight_near_out_bits = zero_is_a_y_bits;
+    wire sight_near_out_inverted = ~zero_is_sight_near_out_bits;
+    wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
+    wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
+    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
+    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
+    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
+    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
+    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
+    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy2;
+    wire by_out_inverted = ~zero_is_exponent_joined_bits_copy2;
+    wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
+    wire bx_out_inverted = ~zero_is_exponent_joined_bits;
 
     assign in_ready = load_0;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom
+        out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
+        out_right, out_top, out_bottom
     } = queue_out_data;
 
-    stream_skid_w317 queue (
+    stream_skid_w360 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d21, center_x_out_d13, center_y_out_d13, ax_out, bx_out, ay_out, by_out, delta_out, mx_out,
-            my_out, shift_d3, delay_7_from_1_out, depth_low_out_d5, depth_high_out_d4, attribute_0_d21,
-            attribute_1_d21, attribute_2_d21, delay_5_from_3_out, last_x_d5, delay_5_from_0_out, last_y_d4
+            end_d22, center_x_out_d15, center_y_out_d15, ax_out, bx_out, ay_out, by_out, delta_out, mx_out,
+            my_out, shift_d3, delay_12_from_0_out, sight_near_out, sight_far_out_d1, turned_d22,
+            delay_6_from_6_out, depth_out_d8, depth_low_out_d4, depth_high_out_d4, attribute_0_d22,
+            attribute_1_d22, attribute_2_d22, delay_5_from_1_out, last_x_d5, delay_5_from_6_out, last_y_d4
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
+        .y(max_f24_ftz_unit_y)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
+        .y(max_f24_ftz_unit_copy2_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
+        .y(lt_f24_ftz_unit_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_copy2_a), .b(lt_f24_ftz_unit_copy2_b),
+        .y(lt_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
+        .y(add_f24_ftz_unit_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .y(add_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
+        .y(add_f24_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
+        .y(add_f24_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
+        .y(add_f24_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_a), .b(add_f24_ftz_unit_copy6_b),
+        .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
@@ -5355,37 +6220,18 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
-        .y(add_f24_ftz_unit_copy2_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
-        .y(add_f24_ftz_unit_copy3_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
-        .y(add_f24_ftz_unit_copy4_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
-        .y(add_f24_ftz_unit_copy5_y)
-    );
-
-    float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_a), .b(mul_f24_ftz_unit_copy7_b),
+        .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
+        .y(le_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
@@ -5393,24 +6239,9 @@ module splat_setup (
         .y(min_f24_ftz_unit_y)
     );
 
-    float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
-        .y(max_f24_ftz_unit_y)
-    );
-
-    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
-        .y(max_f24_ftz_unit_copy2_y)
-    );
-
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
-    );
-
-    float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
-        .y(le_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w27_f13_signed to_fixed_f24_ftz_s27q13_unit (
@@ -5425,6 +6256,11 @@ module splat_setup (
 
     float_to_fixed_s3_f24ftz_w21_f20_signed to_fixed_f24_ftz_s21q20_unit (
         .clk(clk), .enable(queue_in_ready), .a(vanishes_joined_d1), .y(to_fixed_f24_ftz_s21q20_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w20_f19_unsigned to_fixed_f24_ftz_u20q19_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u20q19_unit_a),
+        .y(to_fixed_f24_ftz_u20q19_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
@@ -5444,23 +6280,37 @@ module splat_setup (
             load_6 <= 1'd0;
             load_7 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_17_from_0_pointer <= 4'd0;
-            delay_21_from_0_pointer <= 5'd0;
+            delay_9_from_0_pointer <= 3'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            delay_12_from_0_pointer <= 4'd0;
+            delay_19_from_0_pointer <= 5'd0;
+            delay_22_from_0_pointer <= 5'd0;
+            delay_5_from_1_pointer <= 2'd0;
             delay_6_from_1_pointer <= 3'd0;
-            delay_7_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_10_from_1_pointer <= 4'd0;
-            delay_11_from_1_pointer <= 4'd0;
-            delay_12_from_2_pointer <= 4'd0;
-            delay_5_from_3_pointer <= 2'd0;
+            delay_11_from_2_pointer <= 4'd0;
+            delay_17_from_2_pointer <= 4'd0;
+            delay_7_from_3_pointer <= 3'd0;
+            delay_11_from_3_pointer <= 4'd0;
+            delay_5_from_4_pointer <= 2'd0;
+            delay_7_from_4_pointer <= 3'd0;
+            delay_10_from_4_pointer <= 4'd0;
             delay_5_from_5_pointer <= 2'd0;
-            delay_12_from_5_pointer <= 4'd0;
-            delay_10_from_6_pointer <= 4'd0;
+            delay_7_from_5_pointer <= 3'd0;
+            delay_8_from_5_pointer <= 3'd0;
+            delay_5_from_6_pointer <= 2'd0;
+            delay_6_from_6_pointer <= 3'd0;
+            delay_9_from_6_pointer <= 3'd0;
             delay_11_from_6_pointer <= 4'd0;
             delay_12_from_6_pointer <= 4'd0;
-            delay_13_from_6_pointer <= 4'd0;
+            delay_5_from_7_pointer <= 2'd0;
+            delay_8_from_7_pointer <= 3'd0;
             delay_9_from_7_pointer <= 3'd0;
-            in_flight <= 21'd0;
+            delay_10_from_7_pointer <= 4'd0;
+            delay_11_from_7_pointer <= 4'd0;
+            in_flight <= 22'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -5473,208 +6323,356 @@ module splat_setup (
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
-                in_flight <= {in_flight[19:0], in_valid};
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
+                delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
+                in_flight <= {in_flight[20:0], in_valid};
             end
             if (load_1) begin
+                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
-                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
                 delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
-                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
             end
             if (load_2) begin
-                delay_12_from_2_pointer <= (delay_12_from_2_pointer == 4'd10) ? (delay_12_from_2_pointer - 4'd10) : (delay_12_from_2_pointer + 4'd1);
+                delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
+                delay_17_from_2_pointer <= (delay_17_from_2_pointer == 4'd15) ? (delay_17_from_2_pointer - 4'd15) : (delay_17_from_2_pointer + 4'd1);
             end
             if (load_3) begin
-                delay_5_from_3_pointer <= (delay_5_from_3_pointer == 2'd3) ? (delay_5_from_3_pointer - 2'd3) : (delay_5_from_3_pointer + 2'd1);
+                delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
+                delay_11_from_3_pointer <= (delay_11_from_3_pointer == 4'd9) ? (delay_11_from_3_pointer - 4'd9) : (delay_11_from_3_pointer + 4'd1);
+            end
+            if (load_4) begin
+                delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
+                delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
+                delay_10_from_4_pointer <= (delay_10_from_4_pointer == 4'd8) ? (delay_10_from_4_pointer - 4'd8) : (delay_10_from_4_pointer + 4'd1);
             end
             if (load_5) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
-                delay_12_from_5_pointer <= (delay_12_from_5_pointer == 4'd10) ? (delay_12_from_5_pointer - 4'd10) : (delay_12_from_5_pointer + 4'd1);
+                delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
+                delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
             end
             if (load_6) begin
-                delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
+                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
+                delay_6_from_6_pointer <= (delay_6_from_6_pointer == 3'd4) ? (delay_6_from_6_pointer - 3'd4) : (delay_6_from_6_pointer + 3'd1);
+                delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
                 delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
                 delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
-                delay_13_from_6_pointer <= (delay_13_from_6_pointer == 4'd11) ? (delay_13_from_6_pointer - 4'd11) : (delay_13_from_6_pointer + 4'd1);
             end
             if (load_7) begin
+                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
+                delay_8_from_7_pointer <= (delay_8_from_7_pointer == 3'd6) ? (delay_8_from_7_pointer - 3'd6) : (delay_8_from_7_pointer + 3'd1);
                 delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
+                delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
+                delay_11_from_7_pointer <= (delay_11_from_7_pointer == 4'd9) ? (delay_11_from_7_pointer - 4'd9) : (delay_11_from_7_pointer + 4'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            end_d18 <= delay_17_from_0_out;
-            end_d19 <= end_d18;
-            end_d20 <= end_d19;
+            end_d20 <= delay_19_from_0_out;
             end_d21 <= end_d20;
-            tangent1_z_d1 <= in_tangent1_z;
-            tangent1_z_d2 <= tangent1_z_d1;
-            tangent1_z_d3 <= tangent1_z_d2;
-            tangent2_z_d1 <= in_tangent2_z;
-            tangent2_z_d2 <= tangent2_z_d1;
-            tangent2_z_d3 <= tangent2_z_d2;
-            q_d1 <= add_f24_ftz_unit_y;
-            q_d2 <= q_d1;
-            q_d3 <= q_d2;
-            q_d4 <= q_d3;
+            end_d22 <= end_d21;
             center_x_d1 <= in_center_x;
-            center_x_d2 <= center_x_d1;
-            center_x_d3 <= center_x_d2;
-            tangent1_x_d1 <= in_tangent1_x;
-            tangent1_x_d2 <= tangent1_x_d1;
-            tangent1_x_d3 <= tangent1_x_d2;
-            tangent2_x_d1 <= in_tangent2_x;
-            tangent2_x_d2 <= tangent2_x_d1;
-            tangent2_x_d3 <= tangent2_x_d2;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
-            last_x_d3 <= last_x_d2;
-            last_x_d4 <= last_x_d3;
-            last_x_d5 <= last_x_d4;
-            occupied_x_d1 <= occupied_x;
             center_y_d1 <= in_center_y;
-            center_y_d2 <= center_y_d1;
-            center_y_d3 <= center_y_d2;
+            center_z_d1 <= in_center_z;
+            tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
-            tangent1_y_d2 <= tangent1_y_d1;
-            tangent1_y_d3 <= tangent1_y_d2;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
-            tangent2_y_d2 <= tangent2_y_d1;
-            tangent2_y_d3 <= tangent2_y_d2;
-            first_y_lesser_d1 <= min_f24_ftz_unit_y;
-            first_y_chosen_d1 <= first_y_chosen;
-            abs_b_depth_d1 <= {1'd0, b_depth_d6[22:0]};
-            abs_b_depth_d2 <= abs_b_depth_d1;
-            spread_half_d1 <= mul_f24_ftz_unit_copy4_y;
-            spread_half_d2 <= spread_half_d1;
-            spread_half_d3 <= spread_half_d2;
-            center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
-            shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
-            shift_chosen_d1 <= shift_chosen_copy7;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[15:0];
-        end
-        if (load_5) begin
-            r_d1 <= recip_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_y;
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            center_y_d3_copy2 <= center_y_d2_copy2;
-            center_y_d4 <= center_y_d3_copy2;
-            center_y_d5 <= center_y_d4;
+            tangent2_z_d1 <= in_tangent2_z;
+            turned_greater_d1 <= turned_greater;
+            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            before_far_in_order_d1 <= le_f24_ftz_unit_y;
+            before_far_in_order_d2 <= before_far_in_order_d1;
+            epsilon_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
             center_y_d6 <= center_y_d5;
             center_y_d7 <= center_y_d6;
             center_y_d8 <= center_y_d7;
             center_y_d9 <= center_y_d8;
-            b_depth_d6 <= b_depth_d5;
-            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            first_y_chosen_d4 <= first_y_chosen_d3;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy5_y;
+            last_y_lesser_d1 <= min_f24_ftz_unit_y;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            largest_sum_d1_copy2 <= largest_sum_copy3;
+            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
+            largest_sum_d3_copy2 <= largest_sum_d2_copy2;
+            delta_sum_d1 <= delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy6_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy6_y[23];
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            mx_sum_d2 <= mx_sum_d1_copy3;
+            mx_sum_d3 <= mx_sum_d2;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            unit_delta_product_bits_d1 <= unit_delta_product_d1[22:15];
+            edge_on_in_order_d1 <= edge_on_in_order;
+            sight_negative_out_d1 <= sight_negative_out;
             placed_d1 <= placed;
-            placed_d2 <= placed_d1;
+            center_y_out_d12 <= center_y_out_d11;
+            center_y_out_d13 <= center_y_out_d12;
+            center_y_out_d14 <= center_y_out_d13;
+            center_y_out_d15 <= center_y_out_d14;
+            center_x_out_d1 <= {delay_10_from_0_out[25], delay_10_from_0_out};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
+            odd_either_d1 <= odd_either_copy3;
+        end
+        if (load_3) begin
+            first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
+            first_x_in_order_d1 <= first_x_in_order;
+            first_x_inverted_d1 <= first_x_inverted;
+            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
+            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
+            first_x_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
+            first_x_greater_sign_d1 <= max_f24_ftz_unit_y[23];
+            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
+            reaches_near_sum_d1 <= reaches_near_sum;
+            zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
+            not_reaches_near_same_d1 <= not_reaches_near_same;
+            reaches_near_same_d1 <= reaches_near_same_copy2;
+            reaches_near_in_order_d1 <= reaches_near_in_order;
+            reaches_near_greater_bits_d1_copy2 <= max_f24_ftz_unit_copy2_y[14:0];
+            reaches_near_greater_sign_d1 <= max_f24_ftz_unit_copy2_y[23];
+            beyond_near_d1 <= lt_f24_ftz_unit_y;
+            beyond_near_d2 <= beyond_near_d1;
+            swapped_d1 <= lt_f24_ftz_unit_copy2_y;
+            turned_either_d1 <= turned_either;
+            lowered_greater_d1_copy5 <= lowered_greater_copy5;
+            center_depth_d8 <= delay_7_from_3_out;
+            center_depth_d9 <= center_depth_d8;
+            spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
+            spread_middle_d2 <= spread_middle_d1;
+            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy4_y;
+            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy5_y;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            end_or_visible_d1 <= end_or_visible;
+            end_or_visible_d2 <= end_or_visible_d1;
+            end_or_visible_d3 <= end_or_visible_d2;
+            end_or_visible_d4 <= end_or_visible_d3;
+            center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
             shift_chosen_bits_d1 <= shift_chosen[25:0];
-            center_y_out_d1 <= {center_y_out_d9[25], center_y_out_d9};
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
+            shift_plus_4_d1 <= shift_plus_4;
+            zero_is_exponent_chosen_bits_d1 <= zero_is_exponent_chosen_bits;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_lesser_d1 <= bx_out_lesser[15:0];
+            zero_is_exponent_chosen_bits_d1_copy2 <= zero_is_exponent_chosen_bits_copy2;
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
+            covers_nothing_d1 <= covers_nothing;
+            sight_near_out_in_order_d1 <= sight_near_out_in_order;
+            sight_near_out_sum_d1 <= sight_near_out_sum;
+            sight_near_out_difference_d1 <= sight_near_out_difference;
+            sight_far_out_in_order_d1 <= sight_far_out_in_order;
+            sight_far_out_difference_d1 <= sight_far_out_difference;
+            sight_far_out_d1 <= sight_far_out;
+        end
+        if (load_4) begin
+            first_x_both_d1 <= first_x_both_copy3;
+            first_x_either_d1 <= first_x_either;
+            first_y_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
+            first_y_in_order_d1 <= first_y_in_order;
+            first_y_inverted_d1 <= first_y_inverted;
+            first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
+            first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
+            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
+            first_y_greater_sign_d1 <= max_f24_ftz_unit_y[23];
+            reaches_near_both_d1 <= reaches_near_both_copy3;
+            reaches_near_either_d1 <= reaches_near_either;
+            lowered_d1 <= lowered;
+            r_d1 <= recip_f24_ftz_unit_y;
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            b_depth_d4 <= b_depth_d3;
+            b_depth_d5 <= b_depth_d4;
+            b_depth_d6 <= b_depth_d5;
+            b_depth_d7 <= b_depth_d6;
+            spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
+            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
+            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy4_y;
+            largest_d1 <= largest;
+            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
+            center_y_out_d1 <= {center_y_out_d11[25], center_y_out_d11};
             shift_difference_d1_copy4 <= shift_difference_copy4;
             not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
-            exponent_chosen_d1 <= exponent_chosen;
-            a_x_bits_plus_126_d1 <= a_x_bits_plus_126;
-            ax_out_joined_d1 <= {a_x_sign_d12, ax_out_chosen[7:0], a_x_bits_d12_copy2};
-            b_x_bits_plus_126_d1 <= b_x_bits_plus_126;
-            bx_out_joined_d1 <= {b_x_sign_d12, bx_out_chosen[7:0], b_x_bits_d12_copy2};
-            a_y_bits_plus_126_d1 <= a_y_bits_plus_126;
-            ay_out_joined_d1 <= {a_y_sign_d12, ay_out_chosen[7:0], a_y_bits_d12_copy2};
+            exponent_chosen_d1 <= exponent_chosen_copy11;
+            exponent_chosen_bits_plus_126_d1 <= exponent_chosen_bits_plus_126;
+            ax_out_joined_d1 <= {exponent_chosen_sign_d11, ax_out_chosen[7:0], exponent_chosen_bits_d11};
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+            bx_out_joined_d1 <= {exponent_joined_sign_d11, bx_out_chosen[7:0], exponent_joined_bits_d11_copy2};
+            exponent_chosen_bits_plus_126_d1_copy2 <= exponent_chosen_bits_plus_126_copy2;
+            ay_out_joined_d1 <= {exponent_chosen_sign_d11_copy2, ay_out_chosen[7:0], exponent_chosen_bits_d11_copy2};
             ay_out_lesser_d1 <= ay_out_lesser[15:0];
-            b_y_bits_plus_126_d1 <= b_y_bits_plus_126;
-            by_out_joined_d1 <= {b_y_sign_d12, by_out_chosen[7:0], b_y_bits_d12_copy2};
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            by_out_joined_d1 <= {exponent_joined_sign_d11_copy2, by_out_chosen[7:0], exponent_joined_bits_d11_copy3};
             by_out_shifted_d1 <= {by_out_sum[17], by_out_sum[17:1]};
             mx_bits_plus_126_d1 <= mx_bits_plus_126;
             mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11_copy2};
             my_bits_plus_126_d1 <= my_bits_plus_126;
             my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11_copy2};
-            vanishes_joined_d1 <= {delta_sign_d11, vanishes_chosen[7:0], delta_bits_d11_copy2};
+            vanishes_joined_d1 <= {delta_sign_d10, vanishes_chosen[7:0], delta_bits_d10_copy2};
+            sight_near_out_bits_plus_126_d1 <= sight_near_out_bits_plus_126;
+            sight_near_out_both_d1 <= sight_near_out_both_copy2;
+            sight_near_out_either_d1 <= sight_near_out_either;
+            sight_far_out_sum_d1 <= sight_far_out_sum;
+            sight_far_out_both_d1 <= sight_far_out_both_copy2;
+            sight_far_out_either_d1 <= sight_far_out_either;
         end
-        if (load_3) begin
-            alpha_d1 <= mul_f24_ftz_unit_y;
-            alpha_d2 <= alpha_d1;
-            alpha_d3 <= alpha_d2;
-            beta_d1 <= mul_f24_ftz_unit_copy2_y;
-            beta_d2 <= beta_d1;
-            beta_d3 <= beta_d2;
-            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy5_y;
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            t_x_sum_d2 <= t_x_sum_d1;
-            first_x_chosen_d1 <= first_x_chosen;
-            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            t_y_sum_d2 <= t_y_sum_d1;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            last_y_d3 <= last_y_d2;
-            last_y_d4 <= last_y_d3;
-            occupied_y_d1 <= occupied_y;
-            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
-            shift_shifted_d1 <= {18'd0, first_x} << 12;
-            shift_either_d1 <= shift_either_copy2;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-            shift_d3 <= shift_d2;
-            exponent_d1 <= exponent;
-            ax_out_lesser_d1 <= ax_out_lesser[15:0];
-            bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
-            vanishes_d1 <= vanishes;
-        end
-        if (load_1) begin
-            whole_d7 <= delay_6_from_1_out;
-            whole_d8 <= whole_d7;
-            whole_d9 <= whole_d8;
-            whole_d10 <= whole_d9;
-            whole_d11 <= whole_d10;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
-            center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy4_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
-            center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+        if (load_5) begin
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
+            first_y_both_d1 <= first_y_both_copy3;
+            first_y_either_d1 <= first_y_either;
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+            a_y_chosen_d1 <= a_y_chosen[7:0];
+            alpha_both_d1 <= alpha_both;
+            alpha_chosen_d1 <= alpha_chosen[7:0];
+            b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
+            b_x_chosen_d1 <= b_x_chosen[7:0];
+            b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
+            b_y_chosen_d1 <= b_y_chosen[7:0];
+            beta_both_d1 <= beta_both;
+            beta_chosen_d1 <= beta_chosen[7:0];
+            beyond_near_and_not_turned_d1 <= beyond_near_and_not_turned;
+            beyond_near_and_not_turned_d2 <= beyond_near_and_not_turned_d1;
+            beyond_near_and_not_turned_d3 <= beyond_near_and_not_turned_d2;
+            beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
+            beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
+            reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
+            q_times_f_d1 <= mul_f24_ftz_unit_y;
+            before_far_sum_d1 <= add_f24_ftz_unit_copy2_y;
             middle_depth_d1 <= middle_depth;
             middle_depth_d2 <= middle_depth_d1;
+            middle_depth_d3 <= middle_depth_d2;
             half_depth_d1 <= half_depth;
-            visible_both_d1 <= visible_both;
-            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
-            center_x_out_d10 <= center_x_out_d9;
-            center_x_out_d11 <= center_x_out_d10;
-            center_x_out_d12 <= center_x_out_d11;
-            center_x_out_d13 <= center_x_out_d12;
-            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
-            center_y_out_d10 <= center_y_out_d9;
-            center_y_out_d11 <= center_y_out_d10;
-            center_y_out_d12 <= center_y_out_d11;
-            center_y_out_d13 <= center_y_out_d12;
-            shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
-            shift_difference_d1_copy3 <= shift_difference_copy3;
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-            my_bits_d11 <= delay_10_from_1_out;
-            exponent_greater_d1_copy4 <= exponent_greater_copy4;
-            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
-            odd_either_d1_copy3 <= odd_either_copy3;
-            depth_high_out_greater_d1 <= max_f24_ftz_unit_copy2_y;
-        end
-        if (load_6) begin
-            a_x_d1 <= mul_f24_ftz_unit_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            a_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            last_y_greater_d1 <= max_f24_ftz_unit_y;
-            a_x_times_b_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            delta_bits_is_zero_d1 <= delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            delta_sign_d1 <= add_f24_ftz_unit_y[23];
+            t_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
+            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f24_ftz_unit_copy5_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            t_y_d1 <= mul_f24_ftz_unit_copy7_y;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_d3 <= a_x_bits_d2;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_y_bits_d3 <= a_y_bits_d2;
+            a_exponent_d1 <= a_exponent;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_x_bits_d3 <= b_x_bits_d2;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
+            b_y_bits_d3 <= b_y_bits_d2;
+            b_exponent_d1 <= b_exponent;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
+            not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            a_x_sign_d3 <= a_x_sign_d2;
+            a_x_sign_d4 <= a_x_sign_d3;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
+            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
+            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            b_x_sign_d3 <= b_x_sign_d2;
+            b_x_sign_d4 <= b_x_sign_d3;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
+            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            exponent_both_d1 <= exponent_both;
+            exponent_joined_d1 <= {exponent_chosen[7:0], a_x_bits_d3_copy2};
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_joined_d1_copy3 <= {exponent_chosen_copy3[7:0], a_y_bits_d3_copy2};
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
+            exponent_joined_d1_copy5 <= {exponent_chosen_copy5[7:0], b_x_bits_d3_copy2};
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            exponent_joined_d1_copy6 <= {exponent_chosen_copy7[7:0], b_y_bits_d3_copy2};
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_both_d1 <= my_both;
+            my_chosen_d1 <= my_chosen[7:0];
+            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
             shift_either_bits_d1 <= shift_either_copy3[25:15];
             shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
             shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
@@ -5683,254 +6681,538 @@ module splat_setup (
             shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
             shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
             shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
-            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy7;
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy8;
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
             shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
-            delta_bits_d11 <= delta_bits_d10;
-            b_x_bits_d13 <= b_x_bits_d12;
-            a_y_bits_d13 <= a_y_bits_d12;
-            b_y_bits_d1 <= b_y_bits_d1_bits;
-            b_y_bits_d13 <= b_y_bits_d12;
-            mx_bits_d11 <= mx_bits_d10;
             exponent_greater_d1 <= exponent_greater;
             by_out_lesser_d1 <= by_out_lesser[15:0];
             mx_out_shifted_d1 <= {mx_out_sum[17], mx_out_sum[17:1]};
-            odd_either_d1 <= odd_either;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
-            delta_bits_is_255_d1 <= delta_bits_is_255;
+            sight_near_out_bits_is_255_d1 <= sight_near_out_bits_is_255;
+            not_sight_near_out_bits_is_255_d1 <= not_sight_near_out_bits_is_255;
+            sight_near_out_joined_d1 <= {sight_near_out_chosen_copy2[7:0], sight_near_out_chosen_copy3};
+            sight_far_out_same_d1 <= sight_far_out_same_copy2;
+            not_sight_far_out_same_d1 <= not_sight_far_out_same_copy2;
+            sight_far_out_joined_d1 <= {sight_far_out_chosen_copy2[7:0], sight_far_out_chosen_copy3};
         end
-        if (load_4) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            center_x_d3_copy2 <= center_x_d2_copy2;
-            center_x_d4 <= center_x_d3_copy2;
-            center_x_d5 <= center_x_d4;
-            center_x_d6 <= center_x_d5;
-            center_x_d7 <= center_x_d6;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy3_y;
-            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
-            end_or_visible_d1 <= end_or_visible;
-            end_or_visible_d2 <= end_or_visible_d1;
-            end_or_visible_d3 <= end_or_visible_d2;
-            end_or_visible_d4 <= end_or_visible_d3;
-            center_x_bits_below_140_d1 <= center_x_bits_below_140;
-            shift_difference_d1 <= shift_difference;
-            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
-            shift_plus_4_d1 <= shift_plus_4;
-            ax_out_both_d1 <= ax_out_both;
-            bx_out_both_d1 <= bx_out_both;
-            bx_out_lesser_d1 <= bx_out_lesser[15:0];
-            ay_out_both_d1 <= ay_out_both;
-            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
-            by_out_both_d1 <= by_out_both;
-            mx_out_both_d1 <= mx_out_both;
-            my_out_both_d1 <= my_out_both;
-            vanishes_in_order_d1 <= vanishes_in_order;
-            vanishes_difference_d1 <= vanishes_difference;
-        end
-        if (load_2) begin
+        if (load_6) begin
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            turned_d1 <= turned;
+            v_x_chosen_d1 <= v_x_chosen_copy2;
+            v_x_chosen_d2 <= v_x_chosen_d1;
+            v_x_chosen_d3 <= v_x_chosen_d2;
+            v_y_chosen_d1 <= v_y_chosen_copy2;
+            v_y_chosen_d2 <= v_y_chosen_d1;
+            v_y_chosen_d3 <= v_y_chosen_d2;
+            lowered_chosen_d1 <= lowered_chosen_copy5;
+            lowered_chosen_bits_d1 <= {3'd0, lowered_chosen_copy6[22:15]};
+            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_copy7[22:15]};
+            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
+            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
+            lowered_chosen_sign_d1 <= lowered_chosen_copy6[23];
+            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
+            a_x_joined_d2 <= a_x_joined_d1;
+            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[23];
+            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
+            a_y_joined_d2 <= a_y_joined_d1;
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[23];
+            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
+            alpha_joined_d2 <= alpha_joined_d1;
+            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[23];
+            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
+            b_x_joined_d2 <= b_x_joined_d1;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[23];
+            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
+            b_y_joined_d2 <= b_y_joined_d1;
+            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
+            lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[23];
+            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
+            beta_joined_d2 <= beta_joined_d1;
+            e_d1 <= add_f24_ftz_unit_y;
             h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            center_depth_d1 <= add_f24_ftz_unit_copy3_y;
-            center_depth_d2 <= center_depth_d1;
-            center_depth_d3 <= center_depth_d2;
-            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
-            center_depth_up_to_one_d2 <= center_depth_up_to_one_d1;
-            center_depth_up_to_one_d3 <= center_depth_up_to_one_d2;
-            center_depth_up_to_one_d4 <= center_depth_up_to_one_d3;
-            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
-            center_x_out_d1 <= {center_x_out_d9[25], center_x_out_d9};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
+            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy4_y[23], first_x_chosen_copy6};
+            first_x_chosen_d1 <= first_x_chosen_copy8;
+            first_x_chosen_d2 <= first_x_chosen_d1;
+            first_x_chosen_d3 <= first_x_chosen_d2;
+            last_x_chosen_d1 <= last_x_chosen_copy2;
+            last_x_chosen_d2 <= last_x_chosen_d1;
+            last_x_chosen_d3 <= last_x_chosen_d2;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            last_x_d3 <= last_x_d2;
+            last_x_d4 <= last_x_d3;
+            last_x_d5 <= last_x_d4;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy5_y;
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy7_y[23], first_y_chosen_copy6};
+            last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
+            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            unit_delta_both_d1 <= unit_delta_both;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            a_y_sign_d1 <= a_y_d1[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            a_y_sign_d3 <= a_y_sign_d2;
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            b_y_sign_d1 <= b_y_d1[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            largest_sum_d1 <= largest_sum;
+            largest_sum_d2 <= largest_sum_d1;
+            largest_sum_d3 <= largest_sum_d2;
+            largest_greater_d1 <= largest_greater;
+            exponent_joined_d1_copy2 <= {a_x_sign_d4, exponent_chosen_copy2};
+            exponent_joined_d1_copy4 <= {a_y_sign_d3, exponent_chosen_copy4};
+            delta_d1 <= delta;
+            edge_on_lesser_d1 <= edge_on_lesser;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            exponent_joined_d1_copy7 <= {not_exponent_joined_sign, exponent_chosen_copy2};
+            exponent_joined_d1_copy8 <= {not_exponent_joined_sign_copy2, exponent_chosen_copy4};
+            shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            delta_bits_d1 <= {2'd0, delta[22:15]};
+            delta_bits_d11 <= delta_bits_d10;
+            exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy6[22:15]};
+            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy8[22:15]};
+            exponent_joined_bits_d11 <= exponent_joined_bits_d10_copy2;
+            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
+            mx_bits_d11 <= mx_bits_d10;
+            my_bits_d1_copy4 <= {2'd0, my[22:15]};
+            my_bits_d11 <= my_bits_d10;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[15:0];
+            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
+            sight_far_out_joined_d1_copy2 <= {abs_sight_far_out_product_sign_d9, sight_far_out_chosen_copy4};
+        end
+        if (load_7) begin
+            lowered_greater_d1 <= lowered_greater;
+            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
+            a_x_inverted_d1 <= a_x_inverted;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
+            a_y_inverted_d1 <= a_y_inverted;
+            lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
+            alpha_inverted_d1 <= alpha_inverted;
+            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
+            b_x_inverted_d1 <= b_x_inverted;
+            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
+            b_y_inverted_d1 <= b_y_inverted;
+            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
+            beta_inverted_d1 <= beta_inverted;
+            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            f_d1 <= recip_f24_ftz_unit_y;
+            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
+            center_x_d6 <= delay_5_from_7_out;
+            center_x_d7 <= center_x_d6;
+            center_x_d8 <= center_x_d7;
+            center_x_d9 <= center_x_d8;
+            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            unit_delta_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            minus_unit_delta_product_d1 <= minus_mul_f24_ftz_unit_copy3_y;
+            m_exponent_d1 <= m_exponent;
+            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_bits_below_140_d1 <= center_x_bits_below_140;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            shift_chosen_d1 <= shift_chosen_copy7;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[15:0];
+            exponent_chosen_bits_is_255_d1 <= exponent_chosen_bits_is_255;
+            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255;
+            exponent_chosen_bits_is_255_d1_copy2 <= exponent_chosen_bits_is_255_copy2;
+            mx_bits_is_255_d1_copy2 <= mx_bits_is_255_copy2;
+            my_bits_is_255_d1_copy2 <= my_bits_is_255_copy2;
+            sight_near_out_bits_d9 <= sight_near_out_bits_d8;
+            abs_sight_far_out_product_bits_d9 <= abs_sight_far_out_product_bits_d8;
+        end
+        if (load_1) begin
+            lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            not_turned_d1 <= not_turned;
+            not_turned_d2 <= not_turned_d1;
+            not_turned_d3 <= not_turned_d2;
+            not_turned_d4 <= not_turned_d3;
+            not_turned_d5 <= not_turned_d4;
+            not_turned_d6 <= not_turned_d5;
+            whole_d1 <= whole;
+            whole_d8 <= delay_6_from_1_out;
+            whole_d9 <= whole_d8;
+            first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
+            last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
+            last_y_lesser_d1_copy2 <= last_y_lesser;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
+            mx_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            minus_mx_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy6_y;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            mx_bits_d1 <= mx_bits_d1_bits;
+            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            mx_bits_d1_copy2 <= add_f24_ftz_unit_copy3_y[14:0];
+            mx_bits_d1_copy3 <= add_f24_ftz_unit_copy3_y[23];
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            shift_shifted_d1 <= {18'd0, first_x} << 12;
+            shift_either_d1 <= shift_either_copy2;
             shift_chosen_d1_copy3 <= shift_chosen_copy13;
             exponent_greater_d1_copy5 <= exponent_greater_copy5;
             ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
             vanishes_lesser_d1 <= vanishes_lesser[19:0];
+            odd_d1 <= odd;
+            not_placed_d1 <= not_placed;
+            not_placed_d2 <= not_placed_d1;
+            not_placed_d3 <= not_placed_d2;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy4_y;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
+            depth_low_out_d3 <= depth_low_out_d2;
+            depth_low_out_d4 <= depth_low_out_d3;
+        end
+        if (load_2) begin
+            lowered_greater_d1_copy4 <= lowered_greater_copy4;
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            alpha_d3 <= alpha_d2;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            beta_d3 <= beta_d2;
+            a_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy4_y;
+            b_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            t_x_sum_d2 <= t_x_sum_d1;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy3_y;
+            a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
+            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
+            t_y_sum_d2 <= t_y_sum_d1;
+            last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
+            last_y_d4 <= last_y_d3;
+            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
+            beta_bits_d3 <= beta_bits_d2;
+            alpha_bits_d1 <= alpha_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            alpha_bits_d3 <= alpha_bits_d2;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_beta_bits_d3 <= not_zero_is_beta_bits_d2;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+            not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy5_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy5_y[23];
+            visible_both_d1 <= visible_both;
+            shift_difference_d1 <= shift_difference;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            shift_d3 <= shift_d2;
+            exponent_d1 <= exponent;
+            ax_out_lesser_d1 <= ax_out_lesser[15:0];
+            bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
+            vanishes_d1 <= vanishes;
+            sight_near_out_chosen_d1 <= sight_near_out_chosen_copy5;
             depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_high_out_d2 <= depth_high_out_d1;
             depth_high_out_d3 <= depth_high_out_d2;
             depth_high_out_d4 <= depth_high_out_d3;
         end
-        if (load_7) begin
-            last_x_lesser_d1 <= last_x_lesser;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
-            alpha_times_b_x_d1 <= mul_f24_ftz_unit_y;
-            minus_beta_times_a_x_d1 <= minus_mul_f24_ftz_unit_copy6_y;
-            spread_middle_d1 <= add_f24_ftz_unit_copy4_y;
-            spread_middle_d2 <= spread_middle_d1;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_shift_either_bits_is_zero_d1_copy6 <= not_shift_either_bits_is_zero_copy6;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[15:0];
-            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
-            odd_either_d1_copy2 <= odd_either_copy2;
-            odd_either_d2 <= odd_either_d1_copy2;
-            not_placed_d1 <= not_placed;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-        end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : phase[1] ? mul_f24_ftz_unit_y : phase[0] ? alpha_d3 : scale_x;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? a_x_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_a_choice_2;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? (phase[0] ? b_x_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_a_choice;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? (phase[0] ? a_y_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_a_choice;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_3;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? (phase[0] ? r_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy6_a_choice;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
+            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? 24'd0 : max_f24_ftz_unit_a_choice_2;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : phase[1] ? first_x_chosen_d1_copy3 : max_f24_ftz_unit_b_choice_3;
+            max_f24_ftz_unit_copy2_a <= phase[2] ? 24'd0 : max_f24_ftz_unit_copy2_a_choice;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_3;
+            lt_f24_ftz_unit_a <= phase[2] ? lt_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? center_z_d1 : near_plane) : near_plane;
+            lt_f24_ftz_unit_b <= phase[2] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
+            lt_f24_ftz_unit_copy2_a <= phase[2] ? lt_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_bits;
+            lt_f24_ftz_unit_copy2_b <= phase[2] ? lt_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_bits;
             add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_4;
             add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
             add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_3;
             add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy4_b_choice : center_y_d8) : add_f24_ftz_unit_copy4_b_choice_3;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
-            sqrt_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_d1) : q_d1) : phase[1] ? q_d1 : t_y_squared_plus_h_y_product_d1;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_3;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice_2 : add_f24_ftz_unit_copy5_a_choice_3;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_b_choice : h_y_product_d1) : add_f24_ftz_unit_copy5_b_choice_2;
+            add_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_a_choice : middle_depth_d3) : add_f24_ftz_unit_copy6_a_choice;
+            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_3;
+            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
+            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_3;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_2;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
+            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : phase[1] ? mul_f24_ftz_unit_copy2_y : f_times_scale_y_d1;
+            mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : phase[1] ? mul_f24_ftz_unit_copy6_y : first_y_chosen_d9;
+            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : add_f24_ftz_unit_copy3_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? depth_b : phase[0] ? depth_b : add_f24_ftz_unit_y) : phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : le_f24_ftz_unit_b_choice_2;
             min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
-            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : max_f24_ftz_unit_a_choice;
-            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
-            max_f24_ftz_unit_copy2_a <= 24'd0;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : middle_depth_d1) : phase[1] ? middle_depth_d1 : first_y_lesser_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : max_f24_ftz_unit_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? center_depth_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_s27q13_unit_a <= add_f24_ftz_unit_y;
+            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : phase[1] ? min_f24_ftz_unit_b_choice_2 : last_x_chosen_d1_copy3;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : phase[1] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s27q13_unit_a <= phase[2] ? to_fixed_f24_ftz_s27q13_unit_a_choice : add_f24_ftz_unit_copy3_y;
             to_fixed_f24_ftz_s17q16_unit_a <= phase[2] ? to_fixed_f24_ftz_s17q16_unit_a_choice : to_fixed_f24_ftz_s17q16_unit_a_choice_2;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_u20q19_unit_a <= phase[2] ? to_fixed_f24_ftz_u20q19_unit_a_choice_2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
+            to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
         end
-    end
-    always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= first_y;
-        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) delay_17_from_0[delay_17_from_0_pointer] <= in_end;
-        if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_21_from_0[delay_21_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+            delay_5_from_0[delay_5_from_0_pointer] <= {delay_10_from_0_out, add_f24_ftz_unit_copy3_y};
         end
-        if (load_0) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
+        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
+        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
+        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_10_from_0[delay_10_from_0_pointer] <= center_x_out;
+        if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_11_from_0[delay_11_from_0_pointer] <= {center_y_out, last_x_chosen, first_x_chosen_copy7};
+        end
+        if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_12_from_0[delay_12_from_0_pointer] <= sight_negative_out_d1;
+        if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_19_from_0[delay_19_from_0_pointer] <= in_end;
+        if (load_0) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_22_from_0[delay_22_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+        end
+        if (load_0) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_5_from_1[delay_5_from_1_pointer] <= first_x;
+        if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= whole_d1;
         if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_7_from_1[delay_7_from_1_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
-        if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_1) delay_9_from_1[delay_9_from_1_pointer] <= {center_y_out, center_x_out};
+        if (load_1) begin
+            delay_9_from_1[delay_9_from_1_pointer] <= {first_y_chosen_copy5, add_f24_ftz_unit_y};
+        end
         if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= delay_10_from_1_data_bits;
+        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= edge_on_or_visible_unequal;
         if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_11_from_1[delay_11_from_1_pointer] <= {add_f24_ftz_unit_copy5_y[14:0], add_f24_ftz_unit_copy5_y[23], not_zero_is_my_bits};
+        if (load_2) begin
+            delay_11_from_2[delay_11_from_2_pointer] <= {last_y_chosen, first_y_chosen_copy7};
         end
-        if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+        if (load_2) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_12_from_2[delay_12_from_2_pointer] <= odd_or_edge_on_or_not_placed;
-        if (load_2) delay_12_from_2_out <= delay_12_from_2[delay_12_from_2_pointer];
+        if (load_2) delay_17_from_2[delay_17_from_2_pointer] <= reaches_near;
+        if (load_2) delay_17_from_2_out <= delay_17_from_2[delay_17_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_3) delay_5_from_3[delay_5_from_3_pointer] <= first_x;
-        if (load_3) delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
+        if (load_3) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
+        if (load_3) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, mul_f24_ftz_unit_copy6_y};
-        end
+        if (load_3) delay_11_from_3[delay_11_from_3_pointer] <= odd_or_edge_on_or_not_placed;
+        if (load_3) delay_11_from_3_out <= delay_11_from_3[delay_11_from_3_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
+        if (load_4) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) delay_7_from_4[delay_7_from_4_pointer] <= delay_7_from_4_data_bits;
+        if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) delay_10_from_4[delay_10_from_4_pointer] <= {delta_d1[14:0], delta_d1[23]};
+        if (load_4) delay_10_from_4_out <= delay_10_from_4[delay_10_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= reaches_near_sum_d1_copy2;
         if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
+        if (load_5) delay_7_from_5[delay_7_from_5_pointer] <= beyond_near_and_not_turned_d5;
+        if (load_5) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
+    end
+    always @(posedge clk) begin
         if (load_5) begin
-            delay_12_from_5[delay_12_from_5_pointer] <= {
-                b_y_d1[14:0], b_y_d1[23], a_y_d1[14:0], a_y_d1[23], b_x_d1[14:0], b_x_d1[23], a_x_d1[14:0],
-                a_x_d1[23]
-            };
+            delay_8_from_5[delay_8_from_5_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, beyond_near};
         end
-        if (load_5) delay_12_from_5_out <= delay_12_from_5[delay_12_from_5_pointer];
+        if (load_5) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_5_from_6[delay_5_from_6_pointer] <= first_y;
+        if (load_6) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_6_from_6[delay_6_from_6_pointer] <= sight_disc_out_d11;
+        if (load_6) delay_6_from_6_out <= delay_6_from_6[delay_6_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_10_from_6[delay_10_from_6_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], 2'd0, add_f24_ftz_unit_y[22:15], delta_sign_d1};
+            delay_9_from_6[delay_9_from_6_pointer] <= {
+                my_bits_d1_copy4, mx_bits_d1_copy4, exponent_joined_bits_d1_copy2, exponent_joined_bits_d1,
+                delta_bits_d1, visible_unequal_copy2, turned_and_lowered_chosen_sign, turned_d1
+            };
         end
-        if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
+        if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_11_from_6[delay_11_from_6_pointer] <= {
-                add_f24_ftz_unit_y[14:0], not_zero_is_delta_bits, add_f24_ftz_unit_copy2_y[14:0],
-                add_f24_ftz_unit_copy2_y[23], not_zero_is_mx_bits, b_y_bits_d1
+                my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d3,
+                exponent_chosen_copy6[14:0], b_x_sign_d4, sight_disc_out
             };
         end
         if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_12_from_6[delay_12_from_6_pointer] <= {
-                2'd0, mul_f24_ftz_unit_copy3_y[22:15], 2'd0, mul_f24_ftz_unit_copy2_y[22:15], 2'd0,
-                mul_f24_ftz_unit_y[22:15]
-            };
-        end
+        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= {before_far, turned_d10};
         if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_13_from_6[delay_13_from_6_pointer] <= {not_zero_is_b_y_bits, not_zero_is_a_y_bits, not_zero_is_b_x_bits, not_zero_is_a_x_bits};
-        end
-        if (load_6) delay_13_from_6_out <= delay_13_from_6[delay_13_from_6_pointer];
+        if (load_7) delay_5_from_7[delay_5_from_7_pointer] <= add_f24_ftz_unit_copy4_y;
+        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= edge_on_or_visible_unequal;
+        if (load_7) begin
+            delay_8_from_7[delay_8_from_7_pointer] <= {3'd0, mul_f24_ftz_unit_copy6_y[22:15], 3'd0, mul_f24_ftz_unit_copy5_y[22:15], all_before_far};
+        end
+        if (load_7) delay_8_from_7_out <= delay_8_from_7[delay_8_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_9_from_7[delay_9_from_7_pointer] <= {
+                1'd0, mul_f24_ftz_unit_copy6_y[14:0], not_sight_far_out_same, 1'd0, mul_f24_ftz_unit_copy5_y[14:0],
+                sight_near_out_inverted, half_depth_chosen
+            };
+        end
         if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_10_from_7[delay_10_from_7_pointer] <= {2'd0, exponent_chosen_copy10[22:15], 2'd0, exponent_chosen_copy9[22:15]};
+        end
+        if (load_7) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_11_from_7[delay_11_from_7_pointer] <= {
+                not_zero_is_delta_bits, not_zero_is_my_bits_copy2, not_zero_is_mx_bits_copy2, by_out_inverted,
+                exponent_chosen_copy10[14:0], exponent_chosen_copy10[23], bx_out_inverted,
+                exponent_chosen_copy9[14:0], exponent_chosen_copy9[23]
+            };
+        end
+        if (load_7) delay_11_from_7_out <= delay_11_from_7[delay_11_from_7_pointer];
     end
 
     wire _unused = &{
-        1'b0, ax_out_chosen[9:8], ax_out_lesser[17:16], ax_out_sum[0], ay_out_chosen[9:8],
-        ay_out_lesser[17:16], ay_out_sum[0], bx_out_chosen[9:8], bx_out_lesser[17:16], bx_out_sum[0],
-        by_out_chosen[9:8], by_out_lesser[17:16], by_out_sum[0], center_x_out_lesser[27:26],
-        center_x_out_sum[0], center_y_out_lesser[27:26], center_y_out_sum[0], last_x_chosen_minus_1[21:9],
-        last_y_chosen_minus_1[21:9], mx_out_chosen[9:8], mx_out_lesser[17:16], mx_out_sum[0],
-        my_out_chosen[9:8], my_out_lesser[17:16], my_out_sum[0], shift_chosen[26], shift_chosen_copy2[26],
-        shift_chosen_copy3[26], shift_chosen_copy4[26], shift_either_copy3[14:0], vanishes_chosen[9:8],
-        vanishes_lesser[21:20], vanishes_sum[0]
+        1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], ax_out_chosen[9:8],
+        ax_out_lesser[17:16], ax_out_sum[0], ay_out_chosen[9:8], ay_out_lesser[17:16], ay_out_sum[0],
+        b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], bx_out_chosen[9:8], bx_out_lesser[17:16],
+        bx_out_sum[0], by_out_chosen[9:8], by_out_lesser[17:16], by_out_sum[0], center_x_out_lesser[27:26],
+        center_x_out_sum[0], center_y_out_lesser[27:26], center_y_out_sum[0], delta_chosen[10:8],
+        exponent_chosen[10:8], exponent_chosen_copy3[10:8], exponent_chosen_copy5[10:8],
+        exponent_chosen_copy7[10:8], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
+        last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8],
+        mx_chosen_copy5[10:8], mx_out_chosen[9:8], mx_out_lesser[17:16], mx_out_sum[0], my_chosen[10:8],
+        my_out_chosen[9:8], my_out_lesser[17:16], my_out_sum[0], reaches_near_chosen_copy2[10:8],
+        shift_chosen[26], shift_chosen_copy2[26], shift_chosen_copy3[26], shift_chosen_copy4[26],
+        shift_either_copy3[14:0], sight_far_out_chosen_copy2[10:8], sight_near_out_chosen_copy2[10:8],
+        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
+        unit_delta_chosen_copy7[10:8], vanishes_chosen[9:8], vanishes_lesser[21:20], vanishes_sum[0]
     };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & phase_is_1));
+        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
         load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
         load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
         load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
@@ -5938,10 +7220,10 @@ module splat_setup (
         load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
         load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
             $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & phase_is_1))) begin
+        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
             $display("assertion failed: load_1_in_phase in %m"); $stop;
         end
         if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
@@ -6003,6 +7285,48 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
             saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 20
+// fraction = 19
+// integer = unsigned
+module float_to_fixed_s3_f24ftz_w20_f19_unsigned (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [19:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [19:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h795;
+    wire [10:0] distance_s1_difference = 11'd20 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({4'd0, significand_s1} << 4) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd21 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 20'd0 : saturates_s2 ? 20'hfffff : magnitude_s2;
         end
     end
 
@@ -6138,30 +7462,6 @@ module float_to_fixed_s3_f24ftz_w27_f13_signed (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Whether one floating-point number is less than another or equal.
-// stages = 2
-// format = f24-ftz
-module float_le_s2_f24ftz (
-    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
-    output reg  y
-);
-    reg unordered_s1, both_zero_s1, compared_s1;
-
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
-            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
-        end
-    end
-endmodule
-
 // Floating to fixed point.
 // stages = 3
 // format = f24-ftz
@@ -6204,31 +7504,6 @@ module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Greater of two floating-point numbers.
-// stages = 2
-// format = f24-ftz
-module float_max_s2_f24ftz (
-    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
-    output reg  [23:0] y
-);
-    reg a_nan_s1, b_nan_s1, less_s1;
-    reg [23:0] a_s1, b_s1;
-
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
-            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
-        end
-    end
-endmodule
-
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
@@ -6250,6 +7525,30 @@ module float_min_s2_f24ftz (
             a_s1 <= {a[23:15], a_nan_s1_both};
             b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
+        end
+    end
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le_s2_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1, both_zero_s1, compared_s1;
+
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
 endmodule
@@ -6829,14 +8128,14 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 317
-module stream_skid_w317 (
+// width = 360
+module stream_skid_w360 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [316:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [316:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [359:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [359:0] out_data
 );
     reg second_valid;
-    reg [316:0] head, second;
+    reg [359:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -6872,7 +8171,7 @@ module stream_skid_w317 (
 endmodule
 
 // World space to camera space.
-// latency = 28
+// latency = 36
 // initiation_interval = 8
 module splat_transform (
     input  wire clk, input wire rst,
@@ -6918,55 +8217,75 @@ module splat_transform (
     output wire [11:0] out_attribute_1,  // Attributes.
     output wire [11:0] out_attribute_2  // Attributes.
 );
+    (* ram_style = "distributed" *)
+    reg [36:0] delay_5_from_0 [0:3];
     reg [2:0] phase;
-    reg load_0, load_1, load_2, load_3, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
-    reg [11:0] attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4, attribute_1_d1, attribute_1_d2;
-    reg [11:0] attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2, attribute_2_d3, attribute_2_d4;
-    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m12_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1;
-    reg [23:0] tangent1_y_d1, tangent1_z_d1, m02_times_tangent1_z_d1, v1_x_d1, m10_times_tangent1_x_d1;
-    reg [23:0] m12_times_tangent1_z_d1, v1_y_d1, m22_times_tangent1_z_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
-    reg [23:0] tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
-    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, m20_times_tangent2_x_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
-    reg [23:0] v2_z_d1, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
-    reg [3:0] in_flight;
+    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [36:0] delay_5_from_0_out;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, u_x_sum_d1, m12_times_center_z_d1;
+    reg [23:0] u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
+    reg [23:0] m00_times_tangent1_x_d1, m02_times_tangent1_z_d1, v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1;
+    reg [23:0] v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
+    reg [23:0] m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_x_d2, v2_y_sum_d1;
+    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
+    reg near_plane_below_u_z_d1;
+    reg [23:0] kept_joined_d1;
+    reg kept_greater_bits_is_zero_d1;
+    reg [23:0] kept_chosen_d1, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
+    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
+    reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b;
+    reg [23:0] add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [23:0] add_f24_ftz_unit_copy3_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b;
+    reg [4:0] in_flight;
 
     wire queue_in_ready;
     wire [252:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
+    wire [23:0] max_f24_ftz_unit_y;
 
-    wire end_or_near_plane_below_u_z = end_d4 | lt_f24_ftz_unit_y;
+    wire end_d5 = delay_5_from_0_out[0];
+    wire kept_either = near_plane_below_u_z_d1 | lt_f24_ftz_unit_y;
+    wire end_or_kept_either = end_d5 | kept_either;
     wire phase_is_4 = phase == 3'd4;
-    wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
+    wire queue_in_valid_both = in_flight[4] & end_or_kept_either & phase_is_4;
+    wire [11:0] attribute_0_d5 = delay_5_from_0_out[12:1];
+    wire [11:0] attribute_1_d5 = delay_5_from_0_out[24:13];
+    wire [11:0] attribute_2_d5 = delay_5_from_0_out[36:25];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? center_z_d1 : tangent2_z_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent2_x_d1 : center_z_d1) : phase[0] ? center_x_d1 : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent1_z_d1 : tangent2_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? tangent1_y_d1 : tangent1_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? center_y_d1 : in_center_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? tangent1_x_d1 : tangent1_y_d1) : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? tangent2_y_d1 : phase[0] ? tangent2_y_d1 : tangent2_x_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_a_choice : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m03 : m20_times_tangent2_x_d1) : phase[0] ? m00_times_tangent2_x_d1 : m10_times_tangent1_x_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_a_choice;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? m23 : v2_z_sum_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m12_times_tangent1_z_d1 : m02_times_tangent1_z_d1) : phase[0] ? m12_times_center_z_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? v2_y_sum_d1 : phase[0] ? v2_y_sum_d1 : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? m22_times_tangent1_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
+    wire kept_greater_bits_is_255 = max_f24_ftz_unit_y[22:15] == 8'd255;
+    wire [7:0] kept_greater_bits_plus_1 = max_f24_ftz_unit_y[22:15] + 8'd1;
+    wire [7:0] kept_chosen = kept_greater_bits_is_255 ? max_f24_ftz_unit_y[22:15] : kept_greater_bits_plus_1;
+    wire kept_greater_bits_is_254 = max_f24_ftz_unit_y[22:15] == 8'd254;
+    wire [14:0] kept_chosen_copy2 = kept_greater_bits_is_254 ? 15'd0 : max_f24_ftz_unit_y[14:0];
+    wire kept_greater_bits_is_zero = max_f24_ftz_unit_y[22:15] == 8'd0;
+    wire [23:0] kept_chosen_copy3 = kept_greater_bits_is_zero_d1 ? 24'd0 : kept_joined_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[0] ? m02 : m00;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? center_z_d1 : tangent1_z_d1) : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? center_z_d1 : center_x_d1) : phase[0] ? tangent2_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? tangent1_z_d1 : tangent2_z_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? center_z_d1 : center_y_d1) : phase[0] ? tangent2_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? tangent2_z_d1 : phase[0] ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? tangent1_x_d1 : center_x_d1) : in_tangent1_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? tangent2_z_d1 : center_y_d1) : in_tangent1_y;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? m23 : m00_times_tangent2_x_d1) : phase[0] ? m00_times_tangent1_x_d1 : m13;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : m02_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : u_y_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? (phase[0] ? v2_y_sum_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : m12_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? m12_times_tangent2_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : m02_times_tangent1_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? m03 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? u_x_sum_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? m22_times_tangent2_z_d1 : kept_chosen_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? kept_chosen_d1 : phase[0] ? m02_times_tangent2_z_d1 : m12_times_tangent1_z_d1;
 
     assign in_ready = load_0;
     assign {
@@ -6977,8 +8296,8 @@ module splat_transform (
     stream_skid_w253 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d4, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, v2_z_d1, attribute_0_d4,
-            attribute_1_d4, attribute_2_d4
+            end_d5, u_x_d1, u_y_d1, u_z_d2, v1_x_d2, v1_y_d2, v1_z_d3, v2_x_d2, v2_y_d2, v2_z_d2, attribute_0_d5,
+            attribute_1_d5, attribute_2_d5
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7019,8 +8338,13 @@ module splat_transform (
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
         .y(lt_f24_ftz_unit_y)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a({1'd0, v1_z_d1[22:0]}),
+        .b({1'd0, add_f24_ftz_unit_copy3_y[22:0]}), .y(max_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
@@ -7030,107 +8354,116 @@ module splat_transform (
             load_1 <= 1'd0;
             load_2 <= 1'd0;
             load_3 <= 1'd0;
+            load_4 <= 1'd0;
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
-            in_flight <= 4'd0;
+            delay_5_from_0_pointer <= 2'd0;
+            in_flight <= 5'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
             load_1 <= advance_next & (phase_next == 3'd1);
             load_2 <= advance_next & (phase_next == 3'd2);
             load_3 <= advance_next & (phase_next == 3'd3);
+            load_4 <= advance_next & (phase_next == 3'd4);
             load_5 <= advance_next & (phase_next == 3'd5);
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) in_flight <= {in_flight[2:0], in_valid};
+            if (load_0) begin
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                in_flight <= {in_flight[3:0], in_valid};
+            end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            end_d1 <= in_end;
-            end_d2 <= end_d1;
-            end_d3 <= end_d2;
-            end_d4 <= end_d3;
-            attribute_0_d1 <= in_attribute_0;
-            attribute_0_d2 <= attribute_0_d1;
-            attribute_0_d3 <= attribute_0_d2;
-            attribute_0_d4 <= attribute_0_d3;
-            attribute_1_d1 <= in_attribute_1;
-            attribute_1_d2 <= attribute_1_d1;
-            attribute_1_d3 <= attribute_1_d2;
-            attribute_1_d4 <= attribute_1_d3;
-            attribute_2_d1 <= in_attribute_2;
-            attribute_2_d2 <= attribute_2_d1;
-            attribute_2_d3 <= attribute_2_d2;
-            attribute_2_d4 <= attribute_2_d3;
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
+            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
+            m00_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy3_y;
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
-            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            v2_y_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_x_d2 <= v2_x_d1;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy4_y;
+        end
+        if (load_5) begin
+            u_x_sum_d1 <= add_f24_ftz_unit_y;
+            u_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            near_plane_below_u_z_d1 <= lt_f24_ftz_unit_y;
+        end
+        if (load_6) begin
+            u_x_d1 <= add_f24_ftz_unit_copy3_y;
+            kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
+            kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
         end
         if (load_7) begin
-            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            m10_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            u_y_d1 <= add_f24_ftz_unit_y;
+            v1_x_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_x_d2 <= v1_x_d1;
+            v1_y_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_y_d2 <= v1_y_d1;
+            kept_chosen_d1 <= kept_chosen_copy3;
         end
         if (load_2) begin
-            u_x_d1 <= add_f24_ftz_unit_y;
-            u_z_d1 <= add_f24_ftz_unit_copy2_y;
+            u_z_d1 <= add_f24_ftz_unit_y;
+            u_z_d2 <= u_z_d1;
             m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
-            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            m22_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy3_y;
+            v2_y_d1 <= add_f24_ftz_unit_copy2_y;
+            v2_y_d2 <= v2_y_d1;
         end
         if (load_3) begin
-            u_y_d1 <= add_f24_ftz_unit_copy3_y;
-            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
-            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
-        end
-        if (load_5) v1_x_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_6) begin
-            v1_y_d1 <= add_f24_ftz_unit_copy2_y;
-            v1_z_d1 <= add_f24_ftz_unit_copy3_y;
+            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_z_d2 <= v1_z_d1;
+            v1_z_d3 <= v1_z_d2;
+            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_1) begin
-            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            v2_z_sum_d1 <= add_f24_ftz_unit_y;
-            v2_z_d1 <= add_f24_ftz_unit_copy2_y;
+            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
+            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_4) begin
+            v2_z_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_z_d2 <= v2_z_d1;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy3_b_choice;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice) : phase[1] ? mul_f24_ftz_unit_a_choice : m20;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m02) : m01) : phase[1] ? (phase[0] ? m12 : m01) : m21;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m12 : m10) : phase[1] ? (phase[0] ? m00 : m10) : m20;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? m11 : phase[1] ? (phase[0] ? m22 : m11) : m21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? (phase[1] ? tangent2_y_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy4_b_choice;
+            add_f24_ftz_unit_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice) : add_f24_ftz_unit_a_choice_2;
             add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_3;
             add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
             add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
             add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+            lt_f24_ftz_unit_a <= near_plane;
+            lt_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_y : phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
         end
     end
-
-`ifdef RTL_ASSERT
-    reg load_4;
-
     always @(posedge clk) begin
-        if (rst) load_4 <= 1'd0;
-        else load_4 <= advance_next & (phase_next == 3'd4);
+        if (load_0) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
+        end
+        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
 
+    wire _unused = &{1'b0, max_f24_ftz_unit_y[23]};
+
+`ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
@@ -7169,6 +8502,31 @@ module splat_transform (
 `endif
     end
 `endif
+endmodule
+
+// Greater of two floating-point numbers.
+// stages = 2
+// format = f24-ftz
+module float_max_s2_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
+
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
+        end
+    end
 endmodule
 
 // Whether one floating-point number is less than another.

@@ -114,8 +114,11 @@ module splat_top (
     wire [15:0] transform_out_attribute_12, transform_out_cardinal_0;
     wire setup_in_ready, setup_out_valid, setup_out_end;
     wire [23:0] setup_out_center_x, setup_out_center_y, setup_out_ax, setup_out_bx, setup_out_ay, setup_out_by;
-    wire [23:0] setup_out_delta, setup_out_mx, setup_out_my, setup_out_depth, setup_out_depth_low;
-    wire [23:0] setup_out_depth_high;
+    wire [23:0] setup_out_delta, setup_out_mx, setup_out_my;
+    wire setup_out_sight_negative;
+    wire [22:0] setup_out_sight_near, setup_out_sight_far;
+    wire setup_out_sight_turned, setup_out_sight_disc;
+    wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2, setup_out_attribute_3;
     wire [15:0] setup_out_attribute_4, setup_out_attribute_5, setup_out_attribute_6, setup_out_attribute_7;
     wire [15:0] setup_out_attribute_8, setup_out_attribute_9, setup_out_attribute_10, setup_out_attribute_11;
@@ -123,8 +126,11 @@ module splat_top (
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [23:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
-    wire [23:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my, splitter_out_depth;
-    wire [23:0] splitter_out_depth_low, splitter_out_depth_high;
+    wire [23:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
+    wire splitter_out_sight_negative;
+    wire [22:0] splitter_out_sight_near, splitter_out_sight_far;
+    wire splitter_out_sight_turned, splitter_out_sight_disc;
+    wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [15:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
     wire [15:0] splitter_out_attribute_3, splitter_out_attribute_4, splitter_out_attribute_5;
     wire [15:0] splitter_out_attribute_6, splitter_out_attribute_7, splitter_out_attribute_8;
@@ -134,8 +140,11 @@ module splat_top (
     wire [11:0] splitter_out_tile;
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [23:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
-    wire [23:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my, reorder_out_depth;
-    wire [23:0] reorder_out_depth_low, reorder_out_depth_high;
+    wire [23:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my;
+    wire reorder_out_sight_negative;
+    wire [22:0] reorder_out_sight_near, reorder_out_sight_far;
+    wire reorder_out_sight_turned, reorder_out_sight_disc;
+    wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
     wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2, reorder_out_attribute_3;
     wire [15:0] reorder_out_attribute_4, reorder_out_attribute_5, reorder_out_attribute_6, reorder_out_attribute_7;
     wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
@@ -145,6 +154,9 @@ module splat_top (
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [23:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
     wire [23:0] tile_cache_out_ay, tile_cache_out_by, tile_cache_out_delta, tile_cache_out_mx, tile_cache_out_my;
+    wire tile_cache_out_sight_negative;
+    wire [22:0] tile_cache_out_sight_near, tile_cache_out_sight_far;
+    wire tile_cache_out_sight_turned, tile_cache_out_sight_disc;
     wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
     wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [15:0] tile_cache_out_attribute_3, tile_cache_out_attribute_4, tile_cache_out_attribute_5;
@@ -250,59 +262,66 @@ module splat_top (
         .in_attribute_8(transform_out_attribute_8), .in_attribute_9(transform_out_attribute_9),
         .in_attribute_10(transform_out_attribute_10), .in_attribute_11(transform_out_attribute_11),
         .in_attribute_12(transform_out_attribute_12), .in_cardinal_0(transform_out_cardinal_0),
+        .near_plane(uniform_near_plane),
         .filter_radius(uniform_filter_radius),
+        .depth_a(uniform_depth_a), .depth_b(uniform_depth_b),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
         .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
         .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
-        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_depth(setup_out_depth),
-        .out_depth_low(setup_out_depth_low), .out_depth_high(setup_out_depth_high),
-        .out_attribute_0(setup_out_attribute_0), .out_attribute_1(setup_out_attribute_1),
-        .out_attribute_2(setup_out_attribute_2), .out_attribute_3(setup_out_attribute_3),
-        .out_attribute_4(setup_out_attribute_4), .out_attribute_5(setup_out_attribute_5),
-        .out_attribute_6(setup_out_attribute_6), .out_attribute_7(setup_out_attribute_7),
-        .out_attribute_8(setup_out_attribute_8), .out_attribute_9(setup_out_attribute_9),
-        .out_attribute_10(setup_out_attribute_10), .out_attribute_11(setup_out_attribute_11),
-        .out_attribute_12(setup_out_attribute_12), .out_cardinal_0(setup_out_cardinal_0),
-        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
-        .out_bottom(setup_out_bottom)
+        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_sight_negative(setup_out_sight_negative),
+        .out_sight_near(setup_out_sight_near), .out_sight_far(setup_out_sight_far),
+        .out_sight_turned(setup_out_sight_turned), .out_sight_disc(setup_out_sight_disc),
+        .out_depth(setup_out_depth), .out_depth_low(setup_out_depth_low),
+        .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
+        .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
+        .out_attribute_3(setup_out_attribute_3), .out_attribute_4(setup_out_attribute_4),
+        .out_attribute_5(setup_out_attribute_5), .out_attribute_6(setup_out_attribute_6),
+        .out_attribute_7(setup_out_attribute_7), .out_attribute_8(setup_out_attribute_8),
+        .out_attribute_9(setup_out_attribute_9), .out_attribute_10(setup_out_attribute_10),
+        .out_attribute_11(setup_out_attribute_11), .out_attribute_12(setup_out_attribute_12),
+        .out_cardinal_0(setup_out_cardinal_0), .out_left(setup_out_left), .out_right(setup_out_right),
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
     );
 
     splat_splitter splitter (
         .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
         .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
         .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
-        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
-        .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
-        .in_attribute_2(setup_out_attribute_2), .in_attribute_3(setup_out_attribute_3),
-        .in_attribute_4(setup_out_attribute_4), .in_attribute_5(setup_out_attribute_5),
-        .in_attribute_6(setup_out_attribute_6), .in_attribute_7(setup_out_attribute_7),
-        .in_attribute_8(setup_out_attribute_8), .in_attribute_9(setup_out_attribute_9),
-        .in_attribute_10(setup_out_attribute_10), .in_attribute_11(setup_out_attribute_11),
-        .in_attribute_12(setup_out_attribute_12), .in_cardinal_0(setup_out_cardinal_0),
-        .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
-        .in_bottom(setup_out_bottom),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my),
+        .in_sight_negative(setup_out_sight_negative), .in_sight_near(setup_out_sight_near),
+        .in_sight_far(setup_out_sight_far), .in_sight_turned(setup_out_sight_turned),
+        .in_sight_disc(setup_out_sight_disc), .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low),
+        .in_depth_high(setup_out_depth_high), .in_attribute_0(setup_out_attribute_0),
+        .in_attribute_1(setup_out_attribute_1), .in_attribute_2(setup_out_attribute_2),
+        .in_attribute_3(setup_out_attribute_3), .in_attribute_4(setup_out_attribute_4),
+        .in_attribute_5(setup_out_attribute_5), .in_attribute_6(setup_out_attribute_6),
+        .in_attribute_7(setup_out_attribute_7), .in_attribute_8(setup_out_attribute_8),
+        .in_attribute_9(setup_out_attribute_9), .in_attribute_10(setup_out_attribute_10),
+        .in_attribute_11(setup_out_attribute_11), .in_attribute_12(setup_out_attribute_12),
+        .in_cardinal_0(setup_out_cardinal_0), .in_left(setup_out_left), .in_right(setup_out_right),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
         .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
-        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
-        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
-        .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
-        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
-        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
-        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
-        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
-        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
-        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_tile(splitter_out_tile)
+        .out_sight_negative(splitter_out_sight_negative), .out_sight_near(splitter_out_sight_near),
+        .out_sight_far(splitter_out_sight_far), .out_sight_turned(splitter_out_sight_turned),
+        .out_sight_disc(splitter_out_sight_disc), .out_depth(splitter_out_depth),
+        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
+        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
+        .out_attribute_2(splitter_out_attribute_2), .out_attribute_3(splitter_out_attribute_3),
+        .out_attribute_4(splitter_out_attribute_4), .out_attribute_5(splitter_out_attribute_5),
+        .out_attribute_6(splitter_out_attribute_6), .out_attribute_7(splitter_out_attribute_7),
+        .out_attribute_8(splitter_out_attribute_8), .out_attribute_9(splitter_out_attribute_9),
+        .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
+        .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
+        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -310,30 +329,36 @@ module splat_top (
         .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
         .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
-        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
-        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
-        .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
-        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
-        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
-        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
-        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
-        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
-        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_sight_negative(splitter_out_sight_negative), .in_sight_near(splitter_out_sight_near),
+        .in_sight_far(splitter_out_sight_far), .in_sight_turned(splitter_out_sight_turned),
+        .in_sight_disc(splitter_out_sight_disc), .in_depth(splitter_out_depth),
+        .in_depth_low(splitter_out_depth_low), .in_depth_high(splitter_out_depth_high),
+        .in_attribute_0(splitter_out_attribute_0), .in_attribute_1(splitter_out_attribute_1),
+        .in_attribute_2(splitter_out_attribute_2), .in_attribute_3(splitter_out_attribute_3),
+        .in_attribute_4(splitter_out_attribute_4), .in_attribute_5(splitter_out_attribute_5),
+        .in_attribute_6(splitter_out_attribute_6), .in_attribute_7(splitter_out_attribute_7),
+        .in_attribute_8(splitter_out_attribute_8), .in_attribute_9(splitter_out_attribute_9),
+        .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
+        .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
+        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
         .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
-        .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
-        .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
-        .out_attribute_3(reorder_out_attribute_3), .out_attribute_4(reorder_out_attribute_4),
-        .out_attribute_5(reorder_out_attribute_5), .out_attribute_6(reorder_out_attribute_6),
-        .out_attribute_7(reorder_out_attribute_7), .out_attribute_8(reorder_out_attribute_8),
-        .out_attribute_9(reorder_out_attribute_9), .out_attribute_10(reorder_out_attribute_10),
-        .out_attribute_11(reorder_out_attribute_11), .out_attribute_12(reorder_out_attribute_12),
-        .out_cardinal_0(reorder_out_cardinal_0), .out_left(reorder_out_left), .out_right(reorder_out_right),
-        .out_top(reorder_out_top), .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_sight_negative(reorder_out_sight_negative), .out_sight_near(reorder_out_sight_near),
+        .out_sight_far(reorder_out_sight_far), .out_sight_turned(reorder_out_sight_turned),
+        .out_sight_disc(reorder_out_sight_disc), .out_depth(reorder_out_depth),
+        .out_depth_low(reorder_out_depth_low), .out_depth_high(reorder_out_depth_high),
+        .out_attribute_0(reorder_out_attribute_0), .out_attribute_1(reorder_out_attribute_1),
+        .out_attribute_2(reorder_out_attribute_2), .out_attribute_3(reorder_out_attribute_3),
+        .out_attribute_4(reorder_out_attribute_4), .out_attribute_5(reorder_out_attribute_5),
+        .out_attribute_6(reorder_out_attribute_6), .out_attribute_7(reorder_out_attribute_7),
+        .out_attribute_8(reorder_out_attribute_8), .out_attribute_9(reorder_out_attribute_9),
+        .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
+        .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -341,31 +366,37 @@ module splat_top (
         .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
         .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
         .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
-        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
-        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
-        .in_attribute_3(reorder_out_attribute_3), .in_attribute_4(reorder_out_attribute_4),
-        .in_attribute_5(reorder_out_attribute_5), .in_attribute_6(reorder_out_attribute_6),
-        .in_attribute_7(reorder_out_attribute_7), .in_attribute_8(reorder_out_attribute_8),
-        .in_attribute_9(reorder_out_attribute_9), .in_attribute_10(reorder_out_attribute_10),
-        .in_attribute_11(reorder_out_attribute_11), .in_attribute_12(reorder_out_attribute_12),
-        .in_cardinal_0(reorder_out_cardinal_0), .in_left(reorder_out_left), .in_right(reorder_out_right),
-        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_sight_negative(reorder_out_sight_negative), .in_sight_near(reorder_out_sight_near),
+        .in_sight_far(reorder_out_sight_far), .in_sight_turned(reorder_out_sight_turned),
+        .in_sight_disc(reorder_out_sight_disc), .in_depth(reorder_out_depth),
+        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
+        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
+        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
+        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
+        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
+        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
+        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
+        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
+        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
         .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_depth(tile_cache_out_depth),
-        .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
-        .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
-        .out_attribute_2(tile_cache_out_attribute_2), .out_attribute_3(tile_cache_out_attribute_3),
-        .out_attribute_4(tile_cache_out_attribute_4), .out_attribute_5(tile_cache_out_attribute_5),
-        .out_attribute_6(tile_cache_out_attribute_6), .out_attribute_7(tile_cache_out_attribute_7),
-        .out_attribute_8(tile_cache_out_attribute_8), .out_attribute_9(tile_cache_out_attribute_9),
-        .out_attribute_10(tile_cache_out_attribute_10), .out_attribute_11(tile_cache_out_attribute_11),
-        .out_attribute_12(tile_cache_out_attribute_12), .out_cardinal_0(tile_cache_out_cardinal_0),
-        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
-        .out_bottom(tile_cache_out_bottom), .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_my(tile_cache_out_my), .out_sight_negative(tile_cache_out_sight_negative),
+        .out_sight_near(tile_cache_out_sight_near), .out_sight_far(tile_cache_out_sight_far),
+        .out_sight_turned(tile_cache_out_sight_turned), .out_sight_disc(tile_cache_out_sight_disc),
+        .out_depth(tile_cache_out_depth), .out_depth_low(tile_cache_out_depth_low),
+        .out_depth_high(tile_cache_out_depth_high), .out_attribute_0(tile_cache_out_attribute_0),
+        .out_attribute_1(tile_cache_out_attribute_1), .out_attribute_2(tile_cache_out_attribute_2),
+        .out_attribute_3(tile_cache_out_attribute_3), .out_attribute_4(tile_cache_out_attribute_4),
+        .out_attribute_5(tile_cache_out_attribute_5), .out_attribute_6(tile_cache_out_attribute_6),
+        .out_attribute_7(tile_cache_out_attribute_7), .out_attribute_8(tile_cache_out_attribute_8),
+        .out_attribute_9(tile_cache_out_attribute_9), .out_attribute_10(tile_cache_out_attribute_10),
+        .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
+        .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
+        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -427,7 +458,10 @@ module splat_top (
         .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
         .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
         .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my),
+        .in_sight_negative(tile_cache_out_sight_negative), .in_sight_near(tile_cache_out_sight_near),
+        .in_sight_far(tile_cache_out_sight_far), .in_sight_turned(tile_cache_out_sight_turned),
+        .in_sight_disc(tile_cache_out_sight_disc), .in_depth(tile_cache_out_depth),
         .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
         .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
         .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
@@ -2607,6 +2641,11 @@ module splat_rasterizer (
     input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [23:0] in_mx,  // `m` in x.
     input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -2671,6 +2710,11 @@ module splat_rasterizer (
     reg [23:0] delta;  // The determinant of `A` and `B`.
     reg [23:0] mx;  // `m` in x.
     reg [23:0] my;  // `m` in y.
+    reg sight_negative;  // `D` is negative before the eye.
+    reg [22:0] sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [22:0] sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
 
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [295:0] shared_out_data;
@@ -2694,7 +2738,9 @@ module splat_rasterizer (
         .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
         .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
-        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_sight_negative(sight_negative),
+        .in_sight_near(sight_near), .in_sight_far(sight_far), .in_sight_turned(sight_turned),
+        .in_sight_disc(sight_disc),
         .filter_scale(filter_scale),
         .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
         .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
@@ -2745,6 +2791,11 @@ module splat_rasterizer (
             delta <= in_delta;
             mx <= in_mx;
             my <= in_my;
+            sight_negative <= in_sight_negative;
+            sight_near <= in_sight_near;
+            sight_far <= in_sight_far;
+            sight_turned <= in_sight_turned;
+            sight_disc <= in_sight_disc;
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
@@ -2813,7 +2864,7 @@ module stream_fifo_d64_w296 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 58
+// latency = 64
 // initiation_interval = 1
 module splat_evaluation (
     input  wire clk, input wire rst,
@@ -2822,6 +2873,8 @@ module splat_evaluation (
     input  wire [23:0] in_center_x, input wire [23:0] in_center_y, input wire [23:0] in_ax,
     input  wire [23:0] in_bx, input wire [23:0] in_ay, input wire [23:0] in_by,
     input  wire [23:0] in_delta, input wire [23:0] in_mx, input wire [23:0] in_my,
+    input  wire in_sight_negative, input wire [22:0] in_sight_near, input wire [22:0] in_sight_far,
+    input  wire in_sight_turned, input wire in_sight_disc,
     input  wire [23:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
     output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
@@ -2830,48 +2883,52 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg [3:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_6_from_0 [0:4];
+    reg [95:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
     reg [143:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_12_from_0 [0:10];
-    (* ram_style = "distributed" *)
     reg [23:0] delay_13_from_0 [0:11];
     (* ram_style = "distributed" *)
-    reg delay_24_from_0 [0:22];
+    reg delay_23_from_0 [0:21];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_26_from_0 [0:24];
+    reg [47:0] delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
-    reg delay_52_from_0 [0:50];
+    reg delay_29_from_0 [0:27];
     (* ram_style = "distributed" *)
-    reg delay_53_from_0 [0:51];
+    reg [23:0] delay_32_from_0 [0:30];
     (* ram_style = "distributed" *)
-    reg [6:0] delay_58_from_0 [0:56];
+    reg delay_58_from_0 [0:56];
+    (* ram_style = "distributed" *)
+    reg delay_59_from_0 [0:57];
+    (* ram_style = "distributed" *)
+    reg [6:0] delay_64_from_0 [0:62];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
-    reg [23:0] delay_6_from_0_out;
+    reg [95:0] delay_6_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [143:0] delay_9_from_0_out;
-    reg [3:0] delay_12_from_0_pointer;
-    reg delay_12_from_0_out;
     reg [3:0] delay_13_from_0_pointer;
     reg [23:0] delay_13_from_0_out;
-    reg [4:0] delay_24_from_0_pointer;
-    reg delay_24_from_0_out;
-    reg [4:0] delay_26_from_0_pointer;
-    reg [23:0] delay_26_from_0_out;
-    reg [5:0] delay_52_from_0_pointer;
-    reg delay_52_from_0_out;
-    reg [5:0] delay_53_from_0_pointer;
-    reg delay_53_from_0_out;
+    reg [4:0] delay_23_from_0_pointer;
+    reg delay_23_from_0_out;
+    reg [4:0] delay_25_from_0_pointer;
+    reg [47:0] delay_25_from_0_out;
+    reg [4:0] delay_29_from_0_pointer;
+    reg delay_29_from_0_out;
+    reg [4:0] delay_32_from_0_pointer;
+    reg [23:0] delay_32_from_0_out;
     reg [5:0] delay_58_from_0_pointer;
-    reg [6:0] delay_58_from_0_out;
-    reg end_d53;
+    reg delay_58_from_0_out;
+    reg [5:0] delay_59_from_0_pointer;
+    reg delay_59_from_0_out;
+    reg [5:0] delay_64_from_0_pointer;
+    reg [6:0] delay_64_from_0_out;
+    reg end_d59;
     reg [23:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
     reg [23:0] minus_center_y_d3;
-    reg not_end_d1;
-    reg [57:0] in_flight;
+    reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
+    reg [63:0] in_flight;
 
     wire [25:0] queue_out_data;
     wire [23:0] to_float_u10q1_f24_ftz_unit_y, to_float_u10q1_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y;
@@ -2886,29 +2943,45 @@ module splat_evaluation (
     wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
 
     wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
-    wire end_d58 = delay_5_from_0_out[0];
-    wire last_d58 = delay_5_from_0_out[1];
+    wire end_d64 = delay_5_from_0_out[0];
+    wire last_d64 = delay_5_from_0_out[1];
     wire inside_out_d5 = delay_5_from_0_out[2];
-    wire slot_d58 = delay_58_from_0_out[0];
-    wire [5:0] pixel_out_d58 = delay_58_from_0_out[6:1];
+    wire slot_d64 = delay_64_from_0_out[0];
+    wire [5:0] pixel_out_d64 = delay_64_from_0_out[6:1];
+    wire [23:0] y_times_my_d6 = delay_6_from_0_out[47:24];
+    wire [23:0] s2_squared_d6 = delay_6_from_0_out[71:48];
     wire [23:0] ay_d9 = delay_9_from_0_out[23:0];
     wire [23:0] ax_d9 = delay_9_from_0_out[47:24];
     wire [23:0] by_d9 = delay_9_from_0_out[71:48];
     wire [23:0] bx_d9 = delay_9_from_0_out[95:72];
     wire [23:0] mx_d9 = delay_9_from_0_out[119:96];
     wire [23:0] my_d9 = delay_9_from_0_out[143:120];
-    wire [23:0] rho_squared_chosen = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
-    wire not_end = ~delay_52_from_0_out;
+    wire sight_turned_d25 = delay_25_from_0_out[47];
+    wire [23:0] s1_d6 = delay_6_from_0_out[23:0];
+    wire [23:0] rho_squared_chosen = sight_turned_d25 ? add_f24_ftz_unit_copy6_y : s1_d6;
+    wire [23:0] rho_squared_chosen_copy2 = sight_turned_d25 ? s1_d6 : add_f24_ftz_unit_copy6_y;
+    wire [23:0] rho_squared_chosen_squared_d6 = delay_6_from_0_out[95:72];
+    wire [23:0] rho_squared_chosen_copy3 = delay_29_from_0_out ? div_f24_ftz_unit_y : 24'h7f8000;
+    wire sight_negative_d25 = delay_25_from_0_out[0];
+    wire rho_squared_unequal = sight_negative_d25 ^ rho_squared_chosen_copy2[23];
+    wire not_rho_squared_unequal = ~rho_squared_unequal;
+    wire [22:0] sight_near_d25 = delay_25_from_0_out[23:1];
+    wire rho_squared_in_order = ~(sight_near_d25 < rho_squared_chosen_copy2[22:0]);
+    wire [22:0] sight_far_d25 = delay_25_from_0_out[46:24];
+    wire rho_squared_in_order_copy2 = ~(rho_squared_chosen_copy2[22:0] < sight_far_d25);
+    wire not_end = ~delay_58_from_0_out;
     wire inside_out = lt_f24_ftz_unit_y & not_end_d1;
-    wire last_or_inside_out = delay_53_from_0_out | inside_out;
-    wire end_or_last_or_inside_out = end_d53 | last_or_inside_out;
-    wire rho_squared_unequal = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
+    wire last_or_inside_out = delay_59_from_0_out | inside_out;
+    wire end_or_last_or_inside_out = end_d59 | last_or_inside_out;
+    wire rho_squared_both = not_rho_squared_unequal_d1 & rho_squared_in_order_d1;
+    wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
+    wire [23:0] rho_squared_chosen_copy4 = delay_23_from_0_out ? mul_f24_ftz_unit_copy12_y : 24'h7f8000;
 
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[57] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
-        .in_data({end_d58, last_d58, inside_out_d5, slot_d58, pixel_out_d58, interpolate_8_8_16_unit_y}),
+        .clk(clk), .rst(rst), .in_valid(in_flight[63] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
+        .in_data({end_d64, last_d64, inside_out_d5, slot_d64, pixel_out_d64, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -2946,12 +3019,12 @@ module splat_evaluation (
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy5_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy5_y), .b(y_times_my_d6),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(s2_squared_d6),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
@@ -2985,7 +3058,7 @@ module splat_evaluation (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(rho_squared_chosen),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
@@ -2995,7 +3068,7 @@ module splat_evaluation (
     );
 
     float_mul_s4_f24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy6_y), .b(add_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
@@ -3015,12 +3088,13 @@ module splat_evaluation (
     );
 
     float_div_s20_f24ftz div_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(add_f24_ftz_unit_copy7_y), .b(rho_squared_chosen_squared_d6),
         .y(div_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(delay_26_from_0_out), .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy3), .b(delay_32_from_0_out),
+        .y(min_f24_ftz_unit_y)
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
@@ -3040,48 +3114,58 @@ module splat_evaluation (
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
-            delay_12_from_0_pointer <= 4'd0;
             delay_13_from_0_pointer <= 4'd0;
-            delay_24_from_0_pointer <= 5'd0;
-            delay_26_from_0_pointer <= 5'd0;
-            delay_52_from_0_pointer <= 6'd0;
-            delay_53_from_0_pointer <= 6'd0;
+            delay_23_from_0_pointer <= 5'd0;
+            delay_25_from_0_pointer <= 5'd0;
+            delay_29_from_0_pointer <= 5'd0;
+            delay_32_from_0_pointer <= 5'd0;
             delay_58_from_0_pointer <= 6'd0;
-            in_flight <= 58'd0;
+            delay_59_from_0_pointer <= 6'd0;
+            delay_64_from_0_pointer <= 6'd0;
+            in_flight <= 64'd0;
         end else if (in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-            delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
             delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
-            delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
-            delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
-            delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
-            delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
+            delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
+            delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+            delay_29_from_0_pointer <= (delay_29_from_0_pointer == 5'd27) ? (delay_29_from_0_pointer - 5'd27) : (delay_29_from_0_pointer + 5'd1);
+            delay_32_from_0_pointer <= (delay_32_from_0_pointer == 5'd30) ? (delay_32_from_0_pointer - 5'd30) : (delay_32_from_0_pointer + 5'd1);
             delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
-            in_flight <= {in_flight[56:0], in_valid};
+            delay_59_from_0_pointer <= (delay_59_from_0_pointer == 6'd57) ? (delay_59_from_0_pointer - 6'd57) : (delay_59_from_0_pointer + 6'd1);
+            delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
+            in_flight <= {in_flight[62:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            end_d53 <= delay_52_from_0_out;
+            end_d59 <= delay_58_from_0_out;
             minus_center_x_d1 <= {~in_center_x[23], in_center_x[22:0]};
             minus_center_x_d2 <= minus_center_x_d1;
             minus_center_x_d3 <= minus_center_x_d2;
             minus_center_y_d1 <= {~in_center_y[23], in_center_y[22:0]};
             minus_center_y_d2 <= minus_center_y_d1;
             minus_center_y_d3 <= minus_center_y_d2;
+            not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
+            rho_squared_in_order_d1 <= rho_squared_in_order;
+            rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
             not_end_d1 <= not_end;
         end
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_53_from_0_out, end_d53};
+            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_59_from_0_out, end_d59};
         end
         if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
+        if (in_ready) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {
+                mul_f24_ftz_unit_copy9_y, mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy6_y,
+                add_f24_ftz_unit_copy3_y
+            };
+        end
         if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -3091,34 +3175,40 @@ module splat_evaluation (
         if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
-        if (in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
-    end
-    always @(posedge clk) begin
         if (in_ready) delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
         if (in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_24_from_0[delay_24_from_0_pointer] <= rho_squared_unequal;
-        if (in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
-        if (in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_52_from_0[delay_52_from_0_pointer] <= in_end;
-        if (in_ready) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (in_ready) delay_53_from_0[delay_53_from_0_pointer] <= in_last;
-        if (in_ready) delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
+        if (in_ready) delay_23_from_0[delay_23_from_0_pointer] <= in_sight_disc;
+        if (in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+            delay_25_from_0[delay_25_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
         end
+        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_29_from_0[delay_29_from_0_pointer] <= rho_squared_both_copy2;
+        if (in_ready) delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_32_from_0[delay_32_from_0_pointer] <= rho_squared_chosen_copy4;
+        if (in_ready) delay_32_from_0_out <= delay_32_from_0[delay_32_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_58_from_0[delay_58_from_0_pointer] <= in_end;
         if (in_ready) delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) delay_59_from_0[delay_59_from_0_pointer] <= in_last;
+        if (in_ready) delay_59_from_0_out <= delay_59_from_0[delay_59_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            delay_64_from_0[delay_64_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (in_ready) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
     end
 endmodule
 
@@ -3851,6 +3941,11 @@ module splat_tile_cache (
     input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [23:0] in_mx,  // `m` in x.
     input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -3884,6 +3979,11 @@ module splat_tile_cache (
     output wire [23:0] out_delta,  // The determinant of `A` and `B`.
     output wire [23:0] out_mx,  // `m` in x.
     output wire [23:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4024,6 +4124,11 @@ module splat_tile_cache (
     reg [23:0] head_delta;  // The determinant of `A` and `B`.
     reg [23:0] head_mx;  // `m` in x.
     reg [23:0] head_my;  // `m` in y.
+    reg head_sight_negative;  // `D` is negative before the eye.
+    reg [22:0] head_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [22:0] head_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg head_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg head_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] head_depth;  // Depth.
     reg [23:0] head_depth_low;  // What is nearer hides the splat.
     reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
@@ -4071,9 +4176,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [536:0] in_queue_out_data;
+    wire [585:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [537:0] out_queue_out_data;
+    wire [586:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -4105,16 +4210,21 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[536];
-    wire [23:0] in_queue_out_center_x = in_queue_out_data[535:512];
-    wire [23:0] in_queue_out_center_y = in_queue_out_data[511:488];
-    wire [23:0] in_queue_out_ax = in_queue_out_data[487:464];
-    wire [23:0] in_queue_out_bx = in_queue_out_data[463:440];
-    wire [23:0] in_queue_out_ay = in_queue_out_data[439:416];
-    wire [23:0] in_queue_out_by = in_queue_out_data[415:392];
-    wire [23:0] in_queue_out_delta = in_queue_out_data[391:368];
-    wire [23:0] in_queue_out_mx = in_queue_out_data[367:344];
-    wire [23:0] in_queue_out_my = in_queue_out_data[343:320];
+    wire in_queue_out_end = in_queue_out_data[585];
+    wire [23:0] in_queue_out_center_x = in_queue_out_data[584:561];
+    wire [23:0] in_queue_out_center_y = in_queue_out_data[560:537];
+    wire [23:0] in_queue_out_ax = in_queue_out_data[536:513];
+    wire [23:0] in_queue_out_bx = in_queue_out_data[512:489];
+    wire [23:0] in_queue_out_ay = in_queue_out_data[488:465];
+    wire [23:0] in_queue_out_by = in_queue_out_data[464:441];
+    wire [23:0] in_queue_out_delta = in_queue_out_data[440:417];
+    wire [23:0] in_queue_out_mx = in_queue_out_data[416:393];
+    wire [23:0] in_queue_out_my = in_queue_out_data[392:369];
+    wire in_queue_out_sight_negative = in_queue_out_data[368];
+    wire [22:0] in_queue_out_sight_near = in_queue_out_data[367:345];
+    wire [22:0] in_queue_out_sight_far = in_queue_out_data[344:322];
+    wire in_queue_out_sight_turned = in_queue_out_data[321];
+    wire in_queue_out_sight_disc = in_queue_out_data[320];
     wire [23:0] in_queue_out_depth = in_queue_out_data[319:296];
     wire [23:0] in_queue_out_depth_low = in_queue_out_data[295:272];
     wire [23:0] in_queue_out_depth_high = in_queue_out_data[271:248];
@@ -4167,10 +4277,11 @@ module splat_tile_cache (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile, out_slot
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -4197,10 +4308,11 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w537 in_queue (
+    stream_half_buffer_w586 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
@@ -4209,15 +4321,15 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w538 out_queue (
+    stream_half_buffer_w587 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
-            head_attribute_2, head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6,
-            head_attribute_7, head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11,
-            head_attribute_12, head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile,
-            copy_slot
+            head_my, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned, head_sight_disc,
+            head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
+            head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
+            head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
+            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4312,6 +4424,11 @@ module splat_tile_cache (
             head_delta <= in_queue_out_delta;
             head_mx <= in_queue_out_mx;
             head_my <= in_queue_out_my;
+            head_sight_negative <= in_queue_out_sight_negative;
+            head_sight_near <= in_queue_out_sight_near;
+            head_sight_far <= in_queue_out_sight_far;
+            head_sight_turned <= in_queue_out_sight_turned;
+            head_sight_disc <= in_queue_out_sight_disc;
             head_depth <= in_queue_out_depth;
             head_depth_low <= in_queue_out_depth_low;
             head_depth_high <= in_queue_out_depth_high;
@@ -4483,14 +4600,14 @@ module stream_skid_w338 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 538
-module stream_half_buffer_w538 (
+// width = 587
+module stream_half_buffer_w587 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [537:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [537:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [586:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [586:0] out_data
 );
     reg full;
-    reg [537:0] item;
+    reg [586:0] item;
 
     assign in_ready = ~full;
 
@@ -4519,6 +4636,11 @@ module splat_reorder (
     input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [23:0] in_mx,  // `m` in x.
     input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -4552,6 +4674,11 @@ module splat_reorder (
     output wire [23:0] out_delta,  // The determinant of `A` and `B`.
     output wire [23:0] out_mx,  // `m` in x.
     output wire [23:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4580,21 +4707,21 @@ module splat_reorder (
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [523:0] stage_payload;
+    wire [572:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [536:0] in_queue_out_data;
+    wire [585:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [536:0] out_queue_out_data;
+    wire [585:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [536:0] caught_out_data;
+    wire [585:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile, heap_out_pointer;
     wire heap_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[536];
+    wire in_queue_out_end = in_queue_out_data[585];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -4608,21 +4735,23 @@ module splat_reorder (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(524), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[535:12]),
+    memory_1w1r_unordered #(.WIDTH(573), .DEPTH(4096), .SLICE(4)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[584:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w537 in_queue (
+    stream_half_buffer_w586 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
@@ -4631,13 +4760,13 @@ module splat_reorder (
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w537 out_queue (
+    stream_half_buffer_w586 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w537 caught (
+    stream_half_buffer_w586 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -6138,6 +6267,11 @@ module splat_splitter (
     input  wire [23:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [23:0] in_mx,  // `m` in x.
     input  wire [23:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [22:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [22:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -6170,6 +6304,11 @@ module splat_splitter (
     output wire [23:0] out_delta,  // The determinant of `A` and `B`.
     output wire [23:0] out_mx,  // `m` in x.
     output wire [23:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -6204,6 +6343,11 @@ module splat_splitter (
     reg [23:0] splat_delta;  // The determinant of `A` and `B`.
     reg [23:0] splat_mx;  // `m` in x.
     reg [23:0] splat_my;  // `m` in y.
+    reg splat_sight_negative;  // `D` is negative before the eye.
+    reg [22:0] splat_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [22:0] splat_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg splat_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg splat_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] splat_depth;  // Depth.
     reg [23:0] splat_depth_low;  // What is nearer hides the splat.
     reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
@@ -6228,7 +6372,7 @@ module splat_splitter (
     reg [5:0] column, row;
 
     wire out_queue_in_ready;
-    wire [536:0] out_queue_out_data;
+    wire [585:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
@@ -6241,17 +6385,19 @@ module splat_splitter (
     assign in_ready = ready;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w537 out_queue (
+    stream_half_buffer_w586 out_queue (
         .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
-            splat_mx, splat_my, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
+            splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
+            splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
             splat_attribute_11, splat_attribute_12, splat_cardinal_0,
@@ -6288,6 +6434,11 @@ module splat_splitter (
             splat_delta <= in_delta;
             splat_mx <= in_mx;
             splat_my <= in_my;
+            splat_sight_negative <= in_sight_negative;
+            splat_sight_near <= in_sight_near;
+            splat_sight_far <= in_sight_far;
+            splat_sight_turned <= in_sight_turned;
+            splat_sight_disc <= in_sight_disc;
             splat_depth <= in_depth;
             splat_depth_low <= in_depth_low;
             splat_depth_high <= in_depth_high;
@@ -6314,14 +6465,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 537
-module stream_half_buffer_w537 (
+// width = 586
+module stream_half_buffer_w586 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [536:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [536:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [585:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [585:0] out_data
 );
     reg full;
-    reg [536:0] item;
+    reg [585:0] item;
 
     assign in_ready = ~full;
 
@@ -6336,7 +6487,7 @@ module stream_half_buffer_w537 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 132
+// latency = 145
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
@@ -6365,15 +6516,16 @@ module splat_setup (
     input  wire [15:0] in_attribute_11,  // Attributes.
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [23:0] near_plane,  // Near plane.
     input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
     input  wire [23:0] scale_x,  // Scale (px).
     input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
     input  wire [23:0] scale_y,  // Scale (px).
     input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
-    input  wire [23:0] depth_b,  // See `depth_a`.
-    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
-    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
-    input  wire [23:0] epsilon_bias,  // Constant part.
     output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -6385,6 +6537,11 @@ module splat_setup (
     output wire [23:0] out_delta,  // The determinant of `A` and `B`.
     output wire [23:0] out_mx,  // `m` in x.
     output wire [23:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [22:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [22:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -6408,233 +6565,883 @@ module splat_setup (
     output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
-    reg [224:0] delay_17_from_0 [0:15];
+    reg [23:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_11_from_0 [0:9];
+    (* ram_style = "distributed" *)
+    reg [224:0] delay_19_from_0 [0:17];
     (* ram_style = "distributed" *)
     reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_8_from_4 [0:6];
+    reg [48:0] delay_8_from_1 [0:6];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_5 [0:3];
+    reg [48:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [48:0] delay_9_from_6 [0:7];
+    reg [1:0] delay_11_from_2 [0:9];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_10_from_6 [0:8];
+    reg delay_16_from_2 [0:14];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_7_from_3 [0:5];
+    (* ram_style = "distributed" *)
+    reg [10:0] delay_5_from_4 [0:3];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_7_from_4 [0:5];
+    (* ram_style = "distributed" *)
+    reg [24:0] delay_5_from_5 [0:3];
+    (* ram_style = "distributed" *)
+    reg delay_7_from_5 [0:5];
+    (* ram_style = "distributed" *)
+    reg [24:0] delay_8_from_6 [0:6];
+    (* ram_style = "distributed" *)
+    reg [97:0] delay_9_from_6 [0:7];
+    (* ram_style = "distributed" *)
+    reg delay_11_from_6 [0:9];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_6 [0:10];
+    (* ram_style = "distributed" *)
+    reg delay_17_from_6 [0:15];
+    (* ram_style = "distributed" *)
+    reg [24:0] delay_5_from_7 [0:3];
+    (* ram_style = "distributed" *)
+    reg [45:0] delay_7_from_7 [0:5];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_9_from_7 [0:7];
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
-    reg [3:0] delay_17_from_0_pointer;
-    reg [224:0] delay_17_from_0_out;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [23:0] delay_5_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [23:0] delay_9_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [1:0] delay_11_from_0_out;
+    reg [4:0] delay_19_from_0_pointer;
+    reg [224:0] delay_19_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
     reg delay_6_from_1_out;
-    reg [2:0] delay_8_from_4_pointer;
-    reg [24:0] delay_8_from_4_out;
+    reg [2:0] delay_8_from_1_pointer;
+    reg [48:0] delay_8_from_1_out;
+    reg [2:0] delay_9_from_1_pointer;
+    reg [48:0] delay_9_from_1_out;
+    reg [3:0] delay_11_from_2_pointer;
+    reg [1:0] delay_11_from_2_out;
+    reg [3:0] delay_16_from_2_pointer;
+    reg delay_16_from_2_out;
+    reg [2:0] delay_7_from_3_pointer;
+    reg [23:0] delay_7_from_3_out;
+    reg [1:0] delay_5_from_4_pointer;
+    reg [10:0] delay_5_from_4_out;
+    reg [2:0] delay_7_from_4_pointer;
+    reg [23:0] delay_7_from_4_out;
     reg [1:0] delay_5_from_5_pointer;
-    reg [23:0] delay_5_from_5_out;
+    reg [24:0] delay_5_from_5_out;
+    reg [2:0] delay_7_from_5_pointer;
+    reg delay_7_from_5_out;
+    reg [2:0] delay_8_from_6_pointer;
+    reg [24:0] delay_8_from_6_out;
     reg [2:0] delay_9_from_6_pointer;
-    reg [48:0] delay_9_from_6_out;
-    reg [3:0] delay_10_from_6_pointer;
-    reg [95:0] delay_10_from_6_out;
-    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, alpha_d1, alpha_d2, alpha_d3, tangent2_z_d1;
-    reg [23:0] tangent2_z_d2, tangent2_z_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2, q_d3, q_d4;
-    reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
-    reg [23:0] center_x_d1, center_x_d2, center_x_d3, v_x_d1, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3;
-    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, tangent2_x_d3, r_times_tangent2_x_d1;
-    reg [23:0] b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3_copy2, center_x_d4, center_x_d5;
-    reg [23:0] center_x_d6, center_x_d7, center_x_d8, center_x_d9, center_x_d10, center_x_d11, t_x_sum_d1;
-    reg [23:0] t_x_sum_d2, a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1;
-    reg [23:0] center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_filter_radius_d1;
-    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, last_x_lesser_d1;
-    reg [8:0] first_x_d1, last_x_d1;
-    reg occupied_x_d1;
-    reg [23:0] center_y_d1, center_y_d2, center_y_d3, v_y_d1, tangent1_y_d1, tangent1_y_d2, tangent1_y_d3;
-    reg [23:0] r_times_tangent1_y_d1, a_y_d1, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, r_times_tangent2_y_d1;
-    reg [23:0] b_y_d1, center_y_d1_copy2, center_y_d2_copy2, center_y_d3_copy2, center_y_d4, center_y_d5;
-    reg [23:0] center_y_d6, center_y_d7, center_y_d8, center_y_d9, center_y_d10, center_y_d11, t_y_sum_d1;
-    reg [23:0] t_y_sum_d2, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
-    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
-    reg [23:0] minus_h_y_d1, first_y_lesser_d1, last_y_greater_d1;
-    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, last_y_lesser_d1;
+    reg [97:0] delay_9_from_6_out;
+    reg [3:0] delay_11_from_6_pointer;
+    reg delay_11_from_6_out;
+    reg [3:0] delay_12_from_6_pointer;
+    reg delay_12_from_6_out;
+    reg [3:0] delay_17_from_6_pointer;
+    reg delay_17_from_6_out;
+    reg [1:0] delay_5_from_7_pointer;
+    reg [24:0] delay_5_from_7_out;
+    reg [2:0] delay_7_from_7_pointer;
+    reg [45:0] delay_7_from_7_out;
+    reg [2:0] delay_9_from_7_pointer;
+    reg [23:0] delay_9_from_7_out, center_x_d1, center_y_d1, center_z_d1, center_z_d2, tangent1_x_d1, tangent1_y_d1;
+    reg [23:0] tangent1_z_d1, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
+    reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
+    reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
+    reg first_x_both_d1;
+    reg [14:0] first_x_greater_bits_d1_copy2;
+    reg first_x_either_d1, first_x_greater_sign_d1;
+    reg [23:0] first_x_joined_d1;
+    reg [10:0] first_y_greater_bits_d1, first_y_greater_bits_plus_1_d1;
+    reg first_y_in_order_d1, first_y_inverted_d1, first_y_greater_bits_is_255_d1, first_y_in_order_d1_copy2;
+    reg first_y_both_d1;
+    reg [14:0] first_y_greater_bits_d1_copy2;
+    reg first_y_either_d1, first_y_greater_sign_d1;
+    reg [23:0] first_y_joined_d1;
+    reg [10:0] reaches_near_greater_bits_d1, reaches_near_sum_d1;
+    reg zero_below_reaches_near_sum_d1, not_reaches_near_same_d1, reaches_near_same_d1;
+    reg reaches_near_in_order_d1, reaches_near_both_d1;
+    reg [14:0] reaches_near_greater_bits_d1_copy2;
+    reg reaches_near_either_d1, reaches_near_greater_sign_d1;
+    reg [23:0] reaches_near_joined_d1;
+    reg beyond_near_d1, beyond_near_d2, swapped_d1;
+    reg [10:0] turned_greater_d1, center_z_bits_plus_4_d1;
+    reg turned_either_d1, turned_d1;
+    reg [23:0] v_x_chosen_d1, v_x_chosen_d2, v_x_chosen_d3, v_y_chosen_d1, v_y_chosen_d2, v_y_chosen_d3;
+    reg [23:0] lowered_chosen_d1;
+    reg [10:0] lowered_chosen_bits_d1, lowered_chosen_bits_d1_copy2, lowered_greater_d1;
+    reg [10:0] lowered_chosen_bits_d1_copy3, lowered_greater_d1_copy2, lowered_chosen_bits_d1_copy4;
+    reg [10:0] lowered_greater_d1_copy3, lowered_chosen_bits_d1_copy5, lowered_greater_d1_copy4;
+    reg [10:0] lowered_chosen_bits_d1_copy6, lowered_greater_d1_copy5, lowered_chosen_bits_plus_60_d1, lowered_d1;
+    reg a_x_inverted_d1, a_x_in_order_and_a_x_inverted_d1, lowered_chosen_bits_is_255_d1;
+    reg [14:0] lowered_chosen_bits_d1_copy7;
+    reg [7:0] a_x_chosen_d1;
+    reg lowered_chosen_sign_d1;
+    reg [23:0] a_x_joined_d1, a_x_joined_d2;
+    reg a_y_inverted_d1, a_y_in_order_and_a_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy2;
+    reg [14:0] lowered_chosen_bits_d1_copy8;
+    reg [7:0] a_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy2;
+    reg [23:0] a_y_joined_d1, a_y_joined_d2;
+    reg alpha_inverted_d1, alpha_both_d1, lowered_chosen_bits_is_255_d1_copy3;
+    reg [14:0] lowered_chosen_bits_d1_copy9;
+    reg [7:0] alpha_chosen_d1;
+    reg lowered_chosen_sign_d1_copy3;
+    reg [23:0] alpha_joined_d1, alpha_joined_d2;
+    reg b_x_inverted_d1, b_x_in_order_and_b_x_inverted_d1, lowered_chosen_bits_is_255_d1_copy4;
+    reg [14:0] lowered_chosen_bits_d1_copy10;
+    reg [7:0] b_x_chosen_d1;
+    reg lowered_chosen_sign_d1_copy4;
+    reg [23:0] b_x_joined_d1, b_x_joined_d2;
+    reg b_y_inverted_d1, b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
+    reg [14:0] lowered_chosen_bits_d1_copy11;
+    reg [7:0] b_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy5;
+    reg [23:0] b_y_joined_d1, b_y_joined_d2;
+    reg beta_inverted_d1, beta_both_d1, lowered_chosen_bits_is_255_d1_copy6;
+    reg [14:0] lowered_chosen_bits_d1_copy12;
+    reg [7:0] beta_chosen_d1;
+    reg lowered_chosen_sign_d1_copy6;
+    reg [23:0] beta_joined_d1, beta_joined_d2;
+    reg not_turned_d1, not_turned_d2, not_turned_d3, not_turned_d4, not_turned_d5, not_turned_d6;
+    reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
+    reg beyond_near_and_not_turned_d4, beyond_near_and_not_turned_d5;
+    reg [23:0] reaches_near_sum_d1_copy2, r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2;
+    reg [23:0] q_d3, q_d4, e_d1;
+    reg whole_d1, whole_d8, whole_d9;
+    reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, b_depth_d7;
+    reg [23:0] center_depth_d8, center_depth_d9, q_times_f_d1, spread_middle_d1, spread_middle_d2, spread_half_d1;
+    reg [23:0] spread_half_d2, spread_half_d3, before_far_joined_d1;
+    reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
+    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, a_x_joined_times_r_d1, b_x_joined_times_r_d1;
+    reg [23:0] center_x_d6, center_x_d7, center_x_d8, center_x_d9, center_x_d10, center_x_d11, center_x_d12;
+    reg [23:0] center_x_d13, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
+    reg [23:0] center_x_plus_first_x_joined_d1, f_times_scale_x_d1, first_x_joined_d1_copy2, first_x_chosen_d1;
+    reg [23:0] first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1, last_x_chosen_d2, last_x_chosen_d3;
+    reg [23:0] first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
+    reg [23:0] first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
+    reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
+    reg [8:0] last_x_d1;
+    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d6, center_y_d7;
+    reg [23:0] center_y_d8, center_y_d9, center_y_d10, center_y_d11, center_y_d12, center_y_d13, t_y_sum_d1;
+    reg [23:0] t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1, a_y_squared_plus_b_y_squared_d2, h_y_product_d1;
+    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3;
+    reg [23:0] center_y_minus_t_y_d4, minus_h_y_d1, center_y_minus_first_y_joined_d1;
+    reg [23:0] center_y_plus_first_y_joined_d1;
+    reg first_y_in_order_d1_copy3;
+    reg [23:0] first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3, last_y_chosen_d1;
+    reg [23:0] last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2, last_y_chosen_d1_copy2;
+    reg [23:0] filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3, last_y_chosen_d1_copy3, first_y_greater_d1;
+    reg [21:0] first_y_shifted_d1;
+    reg [23:0] last_y_greater_d1;
+    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [8:0] last_y_d1;
-    reg occupied_y_d1;
-    reg [23:0] a_x_times_b_y_d1;
-    reg delta_bits_is_zero_d1, edge_on_in_order_d1;
-    reg [23:0] alpha_times_b_x_d1, minus_beta_times_a_x_d1, b_depth_d6, center_depth_d1, center_depth_d2;
-    reg [23:0] center_depth_d3, spread_middle_d1, spread_middle_d2, abs_b_depth_d1, abs_b_depth_d2, root_of_q_d1;
-    reg [23:0] spread_half_d1, spread_half_d2, spread_half_d3, middle_depth_d1, middle_depth_d2;
-    reg [23:0] half_depth_lesser_d1, half_depth_d1;
-    reg center_depth_up_to_one_d1, center_depth_up_to_one_d2, center_depth_up_to_one_d3;
-    reg center_depth_up_to_one_d4, visible_both_d1;
-    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_high_out_greater_d1;
-    reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
+    reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
+    reg [10:0] a_x_bits_plus_127_d1;
+    reg not_zero_is_a_x_bits_d1, not_zero_is_a_x_bits_d2, not_zero_is_a_x_bits_d3, unit_delta_both_d1;
+    reg a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
+    reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2, a_x_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1;
+    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3, a_x_sign_d4;
+    reg [23:0] unit_delta_joined_d1;
+    reg [10:0] a_y_bits_plus_127_d1;
+    reg not_zero_is_a_y_bits_d1, not_zero_is_a_y_bits_d2, not_zero_is_a_y_bits_d3, unit_delta_both_d1_copy2;
+    reg a_y_bits_is_255_d1, a_y_bits_is_255_d2, a_y_bits_is_255_d3;
+    reg [14:0] a_y_bits_d1_copy2, a_y_bits_d2_copy2, a_y_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy2;
+    reg a_y_sign_d1, a_y_sign_d2, a_y_sign_d3;
+    reg [23:0] unit_delta_joined_d1_copy2;
+    reg [10:0] b_x_bits_plus_127_d1;
+    reg not_zero_is_b_x_bits_d1, not_zero_is_b_x_bits_d2, not_zero_is_b_x_bits_d3, unit_delta_both_d1_copy3;
+    reg b_x_bits_is_255_d1, b_x_bits_is_255_d2, b_x_bits_is_255_d3;
+    reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2, b_x_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy3;
+    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3, b_x_sign_d4;
+    reg [23:0] unit_delta_joined_d1_copy3;
+    reg [10:0] b_y_bits_plus_127_d1;
+    reg not_zero_is_b_y_bits_d1, not_zero_is_b_y_bits_d2, not_zero_is_b_y_bits_d3, unit_delta_both_d1_copy4;
+    reg b_y_bits_is_255_d1, b_y_bits_is_255_d2, b_y_bits_is_255_d3;
+    reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2, b_y_bits_d3_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy4;
+    reg b_y_sign_d1, b_y_sign_d2, b_y_sign_d3;
+    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
+    reg [10:0] beta_bits_d1, beta_bits_d2, beta_bits_d3, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
+    reg [10:0] alpha_bits_d3, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
+    reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, not_zero_is_beta_bits_d3, mx_both_d1;
+    reg beta_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1;
+    reg [23:0] mx_joined_d1;
+    reg [10:0] mx_sum_d1_copy2;
+    reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, not_zero_is_alpha_bits_d3, mx_both_d1_copy2;
+    reg alpha_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1_copy2;
+    reg [23:0] mx_joined_d1_copy2, mx_product_d1, minus_mx_product_d1, my_product_d1, minus_my_product_d1;
+    reg [10:0] largest_sum_d1, largest_sum_d2, largest_sum_d3, unit_delta_bits_d1, largest_greater_d1;
+    reg [10:0] largest_greater_plus_154_d1, largest_greater_plus_154_d2;
+    reg largest_sum_below_100_d1;
+    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
+    reg [10:0] largest_sum_d3_copy2, largest_d1, a_x_bits_plus_381_d1;
+    reg ax_out_both_d1;
+    reg [22:0] ax_out_joined_d1;
+    reg [23:0] ax_out_joined_d1_copy2;
+    reg [10:0] a_y_bits_plus_381_d1;
+    reg ay_out_both_d1;
+    reg [22:0] ay_out_joined_d1;
+    reg [23:0] ay_out_joined_d1_copy2;
+    reg [10:0] b_x_bits_plus_381_d1;
+    reg bx_out_both_d1;
+    reg [22:0] bx_out_joined_d1;
+    reg [10:0] b_y_bits_plus_381_d1;
+    reg by_out_both_d1;
+    reg [22:0] by_out_joined_d1;
+    reg [10:0] delta_sum_d1;
+    reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
+    reg [14:0] unit_delta_bits_d1_copy2;
+    reg [7:0] delta_chosen_d1;
+    reg unit_delta_sign_d1;
+    reg [23:0] delta_d1;
+    reg [10:0] mx_sum_d1_copy3, mx_sum_d2, mx_sum_d3, mx_bits_d1, mx_sum_plus_mx_bits_d1;
+    reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
+    reg [14:0] mx_bits_d1_copy2;
+    reg [7:0] mx_chosen_d1_copy3;
+    reg mx_bits_d1_copy3;
+    reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
+    reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
+    reg [14:0] my_bits_d1_copy2;
+    reg [7:0] my_chosen_d1;
+    reg my_bits_d1_copy3;
+    reg [10:0] edge_on_lesser_d1;
+    reg edge_on_lesser_below_32_d1, edge_on_lesser_below_32_d2, unit_delta_bits_is_zero_d1;
+    reg [7:0] unit_delta_product_bits_d1;
+    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, sight_negative_out_d9;
+    reg [23:0] ax_out_joined_d1_copy3, ay_out_joined_d1_copy3;
+    reg visible_unequal_d1;
+    reg [23:0] delta_times_one_over_b_depth_d1, depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4;
+    reg [23:0] depth_low_out_d1, depth_high_out_greater_d1, max_f24_ftz_unit_a, max_f24_ftz_unit_b;
+    reg [23:0] max_f24_ftz_unit_copy2_a, max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b;
+    reg [23:0] lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b;
+    reg [23:0] add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
     reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
-    reg [23:0] max_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
-    reg [16:0] in_flight;
+    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a;
+    reg [23:0] add_f24_ftz_unit_copy6_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
+    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
+    reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b;
+    reg [23:0] mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a;
+    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b, sqrt_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [18:0] in_flight;
 
     wire queue_in_ready;
-    wire [548:0] queue_out_data;
-    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire lt_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_y, min_f24_ftz_unit_y, max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
-    wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire [597:0] queue_out_data;
+    wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
+    wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, recip_f24_ftz_unit_y, mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y, sqrt_f24_ftz_unit_y;
     wire le_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_y;
+    wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire end_d17 = delay_17_from_0_out[0];
-    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both_d1;
-    wire edge_on_d8 = delay_8_from_4_out[0];
-    wire visible_unequal_d9 = delay_9_from_6_out[48];
-    wire edge_on_or_visible_unequal = edge_on_d8 | visible_unequal_d9;
-    wire visible = occupied_y_and_visible_both & edge_on_or_visible_unequal;
-    wire end_or_visible = end_d17 | visible;
-    wire phase_is_4 = phase == 3'd4;
-    wire queue_in_valid_both = in_flight[16] & end_or_visible & phase_is_4;
-    wire [23:0] a_x_d11 = delay_10_from_6_out[23:0];
-    wire [23:0] b_x_d11 = delay_10_from_6_out[47:24];
-    wire [23:0] a_y_d11 = delay_10_from_6_out[71:48];
-    wire [23:0] b_y_d11 = delay_10_from_6_out[95:72];
-    wire [23:0] delta_d9 = delay_9_from_6_out[23:0];
-    wire [23:0] delta_out = edge_on_d8 ? 24'h7fc000 : delta_d9;
-    wire [23:0] mx_d9 = delay_9_from_6_out[47:24];
-    wire [23:0] my_d8 = delay_8_from_4_out[24:1];
-    wire [15:0] attribute_0_d17 = delay_17_from_0_out[16:1];
-    wire [15:0] attribute_1_d17 = delay_17_from_0_out[32:17];
-    wire [15:0] attribute_2_d17 = delay_17_from_0_out[48:33];
-    wire [15:0] attribute_3_d17 = delay_17_from_0_out[64:49];
-    wire [15:0] attribute_4_d17 = delay_17_from_0_out[80:65];
-    wire [15:0] attribute_5_d17 = delay_17_from_0_out[96:81];
-    wire [15:0] attribute_6_d17 = delay_17_from_0_out[112:97];
-    wire [15:0] attribute_7_d17 = delay_17_from_0_out[128:113];
-    wire [15:0] attribute_8_d17 = delay_17_from_0_out[144:129];
-    wire [15:0] attribute_9_d17 = delay_17_from_0_out[160:145];
-    wire [15:0] attribute_10_d17 = delay_17_from_0_out[176:161];
-    wire [15:0] attribute_11_d17 = delay_17_from_0_out[192:177];
-    wire [15:0] attribute_12_d17 = delay_17_from_0_out[208:193];
-    wire [15:0] cardinal_0_d17 = delay_17_from_0_out[224:209];
-    wire [8:0] first_y = first_y_chosen_d1[8:0];
+    wire end_d19 = delay_19_from_0_out[0];
+    wire reaches_near_and_visible_both = delay_16_from_2_out & visible_both_d1;
+    wire edge_on_d9 = delay_9_from_1_out[48];
+    wire edge_on_or_visible_unequal = edge_on_d9 | visible_unequal_d1;
+    wire visible = reaches_near_and_visible_both & edge_on_or_visible_unequal;
+    wire end_or_visible = end_d19 | visible;
+    wire phase_is_1 = phase == 3'd1;
+    wire queue_in_valid_both = in_flight[18] & end_or_visible & phase_is_1;
+    wire [23:0] ax_out_d8 = delay_8_from_1_out[24:1];
+    wire [23:0] bx_out_d9 = delay_9_from_6_out[24:1];
+    wire [23:0] ay_out_d8 = delay_8_from_1_out[48:25];
+    wire [23:0] by_out_d9 = delay_9_from_6_out[48:25];
+    wire [23:0] delta_d9 = delay_8_from_6_out[24:1];
+    wire [23:0] delta_out = edge_on_d9 ? 24'h7fc000 : delta_d9;
+    wire [23:0] mx_d9 = delay_9_from_6_out[72:49];
+    wire [23:0] my_d9 = delay_9_from_6_out[96:73];
+    wire beyond_near_d5 = delay_5_from_5_out[24];
+    wire [22:0] sight_near_out_product_bits_d7 = delay_7_from_7_out[22:0];
+    wire [22:0] sight_near_out = beyond_near_d5 ? 23'h7fffff : sight_near_out_product_bits_d7;
+    wire all_before_far_d5 = delay_5_from_7_out[0];
+    wire [22:0] sight_far_out_product_bits_d7 = delay_7_from_7_out[45:23];
+    wire [22:0] sight_far_out = all_before_far_d5 ? 23'd0 : sight_far_out_product_bits_d7;
+    wire turned_d18 = delay_8_from_6_out[0];
+    wire [15:0] attribute_0_d19 = delay_19_from_0_out[16:1];
+    wire [15:0] attribute_1_d19 = delay_19_from_0_out[32:17];
+    wire [15:0] attribute_2_d19 = delay_19_from_0_out[48:33];
+    wire [15:0] attribute_3_d19 = delay_19_from_0_out[64:49];
+    wire [15:0] attribute_4_d19 = delay_19_from_0_out[80:65];
+    wire [15:0] attribute_5_d19 = delay_19_from_0_out[96:81];
+    wire [15:0] attribute_6_d19 = delay_19_from_0_out[112:97];
+    wire [15:0] attribute_7_d19 = delay_19_from_0_out[128:113];
+    wire [15:0] attribute_8_d19 = delay_19_from_0_out[144:129];
+    wire [15:0] attribute_9_d19 = delay_19_from_0_out[160:145];
+    wire [15:0] attribute_10_d19 = delay_19_from_0_out[176:161];
+    wire [15:0] attribute_11_d19 = delay_19_from_0_out[192:177];
+    wire [15:0] attribute_12_d19 = delay_19_from_0_out[208:193];
+    wire [15:0] cardinal_0_d19 = delay_19_from_0_out[224:209];
+    wire [8:0] first_x = first_x_shifted_d1[8:0];
+    wire [8:0] first_y = first_y_shifted_d1[8:0];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
-    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
-    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] first_x_chosen = whole_d10 ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
-    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
-    wire [8:0] first_x = first_x_chosen_d1[8:0];
-    wire [21:0] last_x_chosen = whole_d10 ? last_x_lesser_d1 : 22'd512;
-    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
-    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
-    wire occupied_x = first_x_chosen_d1 < last_x_chosen;
-    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] first_y_chosen = whole_d10 ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
-    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [21:0] last_y_chosen = whole_d11 ? last_y_lesser_d1 : 22'd512;
-    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
-    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
-    wire occupied_y = first_y_chosen_d1 < last_y_chosen;
-    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
-    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_d1[22:15]};
-    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_y[22:15]};
+    wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
+    wire first_x_in_order = 11'd0 < first_x_greater_bits_plus_1;
+    wire zero_is_first_x_greater_bits = 11'd0 == first_x_greater_bits_d1_bits;
+    wire first_x_inverted = ~zero_is_first_x_greater_bits;
+    wire first_x_greater_bits_is_255 = first_x_greater_bits_d1_bits == 11'd255;
+    wire first_x_in_order_copy2 = ~(first_x_greater_bits_plus_1 < 11'd255);
+    wire first_x_both = first_x_in_order_d1 & first_x_inverted_d1;
+    wire first_x_both_copy2 = first_x_both & first_x_in_order_d1_copy2;
+    wire first_x_inverted_copy2 = ~first_x_greater_bits_is_255_d1;
+    wire first_x_both_copy3 = first_x_both_copy2 & first_x_inverted_copy2;
+    wire first_x_either = first_x_both | first_x_greater_bits_is_255_d1;
+    wire [10:0] first_x_chosen = first_x_both_d1 ? 11'd255 : first_x_greater_bits_plus_1_d1;
+    wire [10:0] first_x_chosen_copy2 = first_x_greater_bits_is_255_d1 ? first_x_greater_bits_d1 : first_x_chosen;
+    wire [14:0] first_x_chosen_copy3 = first_x_both_d1 ? 15'd0 : first_x_greater_bits_d1_copy2;
+    wire [22:0] first_x_chosen_copy4 = first_x_either_d1 ? {first_x_chosen_copy2[7:0], first_x_chosen_copy3} : 23'd0;
+    wire [10:0] first_y_greater_bits_plus_1 = first_x_greater_bits_plus_1;
+    wire first_y_in_order = 11'd0 < first_y_greater_bits_plus_1;
+    wire zero_is_first_y_greater_bits = zero_is_first_x_greater_bits;
+    wire first_y_inverted = ~zero_is_first_y_greater_bits;
+    wire first_y_greater_bits_is_255 = 11'd255 == first_x_greater_bits_d1_bits;
+    wire first_y_in_order_copy2 = ~(first_y_greater_bits_plus_1 < 11'd255);
+    wire first_y_both = first_y_in_order_d1 & first_y_inverted_d1;
+    wire first_y_both_copy2 = first_y_both & first_y_in_order_d1_copy2;
+    wire first_y_inverted_copy2 = ~first_y_greater_bits_is_255_d1;
+    wire first_y_both_copy3 = first_y_both_copy2 & first_y_inverted_copy2;
+    wire first_y_either = first_y_both | first_y_greater_bits_is_255_d1;
+    wire [10:0] first_y_chosen = first_y_both_d1 ? 11'd255 : first_y_greater_bits_plus_1_d1;
+    wire [10:0] first_y_chosen_copy2 = first_y_greater_bits_is_255_d1 ? first_y_greater_bits_d1 : first_y_chosen;
+    wire [14:0] first_y_chosen_copy3 = first_y_both_d1 ? 15'd0 : first_y_greater_bits_d1_copy2;
+    wire [22:0] first_y_chosen_copy4 = first_y_either_d1 ? {first_y_chosen_copy2[7:0], first_y_chosen_copy3} : 23'd0;
+    wire [10:0] reaches_near_greater_bits_d1_bits = {3'd0, max_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] reaches_near_sum = 11'd1 + reaches_near_greater_bits_d1_bits;
+    wire zero_below_reaches_near_sum = 11'd0 < reaches_near_sum;
+    wire reaches_near_same = 11'd0 == reaches_near_greater_bits_d1_bits;
+    wire not_reaches_near_same = ~reaches_near_same;
+    wire reaches_near_same_copy2 = 11'd255 == reaches_near_greater_bits_d1_bits;
+    wire reaches_near_in_order = ~(reaches_near_sum < 11'd255);
+    wire reaches_near_both = zero_below_reaches_near_sum_d1 & not_reaches_near_same_d1;
+    wire reaches_near_both_copy2 = reaches_near_both & reaches_near_in_order_d1;
+    wire not_reaches_near_same_copy2 = ~reaches_near_same_d1;
+    wire reaches_near_both_copy3 = reaches_near_both_copy2 & not_reaches_near_same_copy2;
+    wire reaches_near_either = reaches_near_both | reaches_near_same_d1;
+    wire [10:0] reaches_near_chosen = reaches_near_both_d1 ? 11'd255 : reaches_near_sum_d1;
+    wire [10:0] reaches_near_chosen_copy2 = reaches_near_same_d1 ? reaches_near_greater_bits_d1 : reaches_near_chosen;
+    wire [14:0] reaches_near_chosen_copy3 = reaches_near_both_d1 ? 15'd0 : reaches_near_greater_bits_d1_copy2;
+    wire [22:0] reaches_near_chosen_copy4 = reaches_near_either_d1 ? {reaches_near_chosen_copy2[7:0], reaches_near_chosen_copy3} : 23'd0;
+    wire [10:0] turned_greater_bits = {3'd0, in_center_x[22:15]};
+    wire [10:0] turned_greater_bits_2 = {3'd0, in_center_y[22:15]};
+    wire [10:0] turned_greater = (turned_greater_bits < turned_greater_bits_2) ? turned_greater_bits_2 : turned_greater_bits;
+    wire [10:0] center_z_bits_plus_4 = {3'd0, in_center_z[22:15]} + 11'd4;
+    wire turned_in_order = center_z_bits_plus_4_d1 < turned_greater_d1;
+    wire not_beyond_near = ~lt_f24_ftz_unit_y;
+    wire turned_either = turned_in_order | not_beyond_near;
+    wire turned = lt_f24_ftz_unit_y & turned_either_d1;
+    wire [23:0] v_x_chosen = swapped_d1 ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d1;
+    wire [23:0] v_y_chosen = swapped_d1 ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d1;
+    wire [23:0] lowered_chosen = swapped_d1 ? tangent2_z_d1 : tangent1_z_d1;
+    wire [23:0] lowered_chosen_copy5 = turned ? lowered_chosen : center_z_d1;
+    wire [23:0] lowered_chosen_copy2 = swapped_d1 ? tangent1_x_d1 : tangent2_x_d1;
+    wire [23:0] lowered_chosen_copy6 = turned ? lowered_chosen_copy2 : tangent1_x_d1;
+    wire [23:0] lowered_chosen_copy3 = swapped_d1 ? tangent1_y_d1 : tangent2_y_d1;
+    wire [23:0] lowered_chosen_copy7 = turned ? lowered_chosen_copy3 : tangent1_y_d1;
+    wire [10:0] lowered_greater = (lowered_chosen_bits_d1 < lowered_chosen_bits_d1_copy2) ? lowered_chosen_bits_d1_copy2 : lowered_chosen_bits_d1;
+    wire [23:0] lowered_chosen_copy4 = swapped_d1 ? tangent1_z_d1 : tangent2_z_d1;
+    wire [23:0] lowered_chosen_copy8 = turned ? lowered_chosen_copy4 : tangent1_z_d1;
+    wire [10:0] lowered_greater_copy2 = (lowered_greater_d1 < lowered_chosen_bits_d1_copy3) ? lowered_chosen_bits_d1_copy3 : lowered_greater_d1;
+    wire [23:0] lowered_chosen_copy9 = turned ? center_x_d1 : tangent2_x_d1;
+    wire [10:0] lowered_greater_copy3 = (lowered_greater_d1_copy2 < lowered_chosen_bits_d1_copy4) ? lowered_chosen_bits_d1_copy4 : lowered_greater_d1_copy2;
+    wire [23:0] lowered_chosen_copy10 = turned ? center_y_d1 : tangent2_y_d1;
+    wire [10:0] lowered_greater_copy4 = (lowered_greater_d1_copy3 < lowered_chosen_bits_d1_copy5) ? lowered_chosen_bits_d1_copy5 : lowered_greater_d1_copy3;
+    wire [23:0] lowered_chosen_copy11 = turned ? center_z_d1 : tangent2_z_d1;
+    wire [10:0] lowered_greater_copy5 = (lowered_greater_d1_copy4 < lowered_chosen_bits_d1_copy6) ? lowered_chosen_bits_d1_copy6 : lowered_greater_d1_copy4;
+    wire [10:0] lowered_chosen_bits_plus_60 = {3'd0, lowered_chosen_d1[22:15]} + 11'd60;
+    wire lowered_in_order = lowered_greater_d1_copy5 < lowered_chosen_bits_plus_60_d1;
+    wire [10:0] lowered_difference = lowered_greater_d1_copy5 - lowered_chosen_bits_plus_60_d1;
+    wire [10:0] lowered = lowered_in_order ? 11'd0 : lowered_difference;
+    wire zero_is_lowered_chosen_bits = 11'd0 == lowered_chosen_bits_d1;
+    wire a_x_inverted = ~zero_is_lowered_chosen_bits;
+    wire a_x_in_order = lowered_d1 < lowered_chosen_bits_d1;
+    wire a_x_in_order_and_a_x_inverted = a_x_in_order & a_x_inverted_d1;
+    wire lowered_chosen_bits_is_255 = 11'd255 == lowered_chosen_bits_d1;
+    wire [10:0] a_x_difference = lowered_chosen_bits_d1 - lowered_d1;
+    wire [10:0] a_x_chosen = lowered_chosen_bits_is_255_d1 ? lowered_chosen_bits_d1 : a_x_difference;
+    wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
+    wire [22:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d1_copy7} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy2 = 11'd0 == lowered_chosen_bits_d1_copy2;
+    wire a_y_inverted = ~zero_is_lowered_chosen_bits_copy2;
+    wire a_y_in_order = lowered_d1 < lowered_chosen_bits_d1_copy2;
+    wire a_y_in_order_and_a_y_inverted = a_y_in_order & a_y_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy2 = 11'd255 == lowered_chosen_bits_d1_copy2;
+    wire [10:0] a_y_difference = lowered_chosen_bits_d1_copy2 - lowered_d1;
+    wire [10:0] a_y_chosen = lowered_chosen_bits_is_255_d1_copy2 ? lowered_chosen_bits_d1_copy2 : a_y_difference;
+    wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
+    wire [22:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d1_copy8} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy3 = 11'd0 == lowered_chosen_bits_d1_copy3;
+    wire alpha_inverted = ~zero_is_lowered_chosen_bits_copy3;
+    wire alpha_in_order = lowered_d1 < lowered_chosen_bits_d1_copy3;
+    wire alpha_both = alpha_in_order & alpha_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy3 = 11'd255 == lowered_chosen_bits_d1_copy3;
+    wire [10:0] alpha_difference = lowered_chosen_bits_d1_copy3 - lowered_d1;
+    wire [10:0] alpha_chosen = lowered_chosen_bits_is_255_d1_copy3 ? lowered_chosen_bits_d1_copy3 : alpha_difference;
+    wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
+    wire [22:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d1_copy9} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy4 = 11'd0 == lowered_chosen_bits_d1_copy4;
+    wire b_x_inverted = ~zero_is_lowered_chosen_bits_copy4;
+    wire b_x_in_order = lowered_d1 < lowered_chosen_bits_d1_copy4;
+    wire b_x_in_order_and_b_x_inverted = b_x_in_order & b_x_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy4 = 11'd255 == lowered_chosen_bits_d1_copy4;
+    wire [10:0] b_x_difference = lowered_chosen_bits_d1_copy4 - lowered_d1;
+    wire [10:0] b_x_chosen = lowered_chosen_bits_is_255_d1_copy4 ? lowered_chosen_bits_d1_copy4 : b_x_difference;
+    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
+    wire [22:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d1_copy10} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy5 = 11'd0 == lowered_chosen_bits_d1_copy5;
+    wire b_y_inverted = ~zero_is_lowered_chosen_bits_copy5;
+    wire b_y_in_order = lowered_d1 < lowered_chosen_bits_d1_copy5;
+    wire b_y_in_order_and_b_y_inverted = b_y_in_order & b_y_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy5 = 11'd255 == lowered_chosen_bits_d1_copy5;
+    wire [10:0] b_y_difference = lowered_chosen_bits_d1_copy5 - lowered_d1;
+    wire [10:0] b_y_chosen = lowered_chosen_bits_is_255_d1_copy5 ? lowered_chosen_bits_d1_copy5 : b_y_difference;
+    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
+    wire [22:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d1_copy11} : 23'd0;
+    wire zero_is_lowered_chosen_bits_copy6 = 11'd0 == lowered_chosen_bits_d1_copy6;
+    wire beta_inverted = ~zero_is_lowered_chosen_bits_copy6;
+    wire beta_in_order = lowered_d1 < lowered_chosen_bits_d1_copy6;
+    wire beta_both = beta_in_order & beta_inverted_d1;
+    wire lowered_chosen_bits_is_255_copy6 = 11'd255 == lowered_chosen_bits_d1_copy6;
+    wire [10:0] beta_difference = lowered_chosen_bits_d1_copy6 - lowered_d1;
+    wire [10:0] beta_chosen = lowered_chosen_bits_is_255_d1_copy6 ? lowered_chosen_bits_d1_copy6 : beta_difference;
+    wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
+    wire [22:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d1_copy12} : 23'd0;
+    wire not_turned = ~turned_d1;
+    wire beyond_near_and_not_turned = beyond_near_d2 & not_turned_d1;
+    wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_y;
+    wire zero_is_lowered = 11'd0 == delay_5_from_4_out;
+    wire whole = not_turned_and_whole_in_order & zero_is_lowered;
+    wire before_far_in_order = mul_f24_ftz_unit_y[22:0] < 23'd16;
+    wire [22:0] before_far_difference = mul_f24_ftz_unit_y[22:0] - 23'd16;
+    wire [22:0] before_far_chosen = before_far_in_order ? 23'd0 : before_far_difference;
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
-    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : center_depth_d3;
-    wire [23:0] half_depth = beyond_near ? spread_half_d3 : half_depth_lesser_d1;
-    wire visible_both = occupied_x_d1 & center_depth_up_to_one_d4;
-    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : alpha_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? v_x_d1 : mul_f24_ftz_unit_y) : phase[0] ? tangent1_z_d3 : t_x_sum_d2;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? b_x_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? beta_d3 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? a_x_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? tangent2_z_d3 : a_x_squared_plus_b_x_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d6) : phase[0] ? b_x_d1 : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? b_x_d1 : tangent1_y_d3) : phase[0] ? center_x_d3 : t_y_sum_d2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y) : phase[0] ? a_y_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_b_depth_d1) : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_y_d1 : tangent2_y_d3) : phase[0] ? tangent1_x_d3 : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? b_y_d1 : alpha_d3) : phase[0] ? recip_f24_ftz_unit_y : q_d4;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : half_depth_d1) : phase[0] ? alpha_d3 : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? b_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? b_y_d1 : v_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : beta_d3) : phase[0] ? beta_d3 : a_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? center_y_d3 : root_of_q_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : a_x_d1) : phase[0] ? a_x_d1 : b_y_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? a_x_times_b_y_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_d7 : center_x_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] middle_depth_chosen = delay_7_from_5_out ? center_depth_d9 : 24'd0;
+    wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : middle_depth_chosen;
+    wire [23:0] half_depth = beyond_near ? spread_half_d3 : delay_9_from_7_out;
+    wire [23:0] center_x_d5 = delay_5_from_7_out[24:1];
+    wire first_x_product_bits_below_16 = mul_f24_ftz_unit_copy5_y[22:0] < 23'd16;
+    wire [22:0] first_x_product_bits_minus_16 = mul_f24_ftz_unit_copy5_y[22:0] - 23'd16;
+    wire [22:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 23'd0 : first_x_product_bits_minus_16;
+    wire first_x_chosen_d11 = delay_11_from_0_out[0];
+    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire last_x_chosen_d11 = delay_11_from_0_out[1];
+    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
+    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_x_chosen_d3;
+    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy4_y : last_x_chosen_d3;
+    wire [23:0] first_x_chosen_copy10 = delay_11_from_6_out ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
+    wire [23:0] last_x_chosen_copy4 = delay_11_from_6_out ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
+    wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
+    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy2_y[22:0] < 23'd16;
+    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy2_y[22:0] - 23'd16;
+    wire [22:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 23'd0 : first_y_product_bits_minus_16;
+    wire first_y_chosen_d11 = delay_11_from_2_out[0];
+    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire last_y_chosen_d11 = delay_11_from_2_out[1];
+    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
+    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_y_chosen_d3;
+    wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_y_chosen_d3;
+    wire [23:0] first_y_chosen_copy10 = delay_11_from_6_out ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
+    wire [23:0] last_y_chosen_copy4 = delay_11_from_6_out ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
+    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
+    wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
+    wire zero_is_a_x_bits = 11'd0 == a_x_bits_d1_bits;
+    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
+    wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
+    wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
+    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
+    wire zero_is_a_y_bits = 11'd0 == a_y_bits_d1_bits;
+    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
+    wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
+    wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
+    wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
+    wire zero_is_b_x_bits = 11'd0 == b_x_bits_d1_bits;
+    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
+    wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
+    wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
+    wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
+    wire zero_is_b_y_bits = 11'd0 == b_y_bits_d1_bits;
+    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
+    wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
+    wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1;
+    wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
+    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d3;
+    wire [10:0] alpha_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d3;
+    wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
+    wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
+    wire [10:0] mx_sum = beta_bits_d3 + a_exponent_plus_127;
+    wire zero_is_beta_bits = zero_is_a_x_bits;
+    wire not_zero_is_beta_bits = ~zero_is_beta_bits;
+    wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
+    wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d3;
+    wire beta_bits_is_255 = 11'd255 == beta_bits_d2;
+    wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
+    wire [10:0] mx_chosen = beta_bits_is_255_d1 ? beta_bits_d3 : mx_sum_minus_m_exponent;
+    wire mx_both_or_beta_bits_is_255 = mx_both_d1 | beta_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d3[14:0]} : 23'd0;
+    wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
+    wire [10:0] mx_sum_copy2 = alpha_bits_d3 + b_exponent_plus_127;
+    wire zero_is_alpha_bits = 11'd0 == alpha_bits_d1_bits;
+    wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
+    wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
+    wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d3;
+    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d2;
+    wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
+    wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d3 : mx_sum_minus_m_exponent_copy2;
+    wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d3[14:0]} : 23'd0;
+    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
+    wire [10:0] largest_sum = delay_5_from_4_out + a_exponent_plus_b_exponent;
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire [10:0] largest_sum_copy2 = largest_sum_d3 + unit_delta_bits_d1_bits;
+    wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
+    wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
+    wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
+    wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d2 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d2;
+    wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum_copy2;
+    wire [10:0] largest_in_order_bits = {3'd0, b_depth_d5[22:15]};
+    wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
+    wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
+    wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
+    wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
+    wire [10:0] lowered_plus_m_exponent = delay_5_from_4_out + m_exponent_d1;
+    wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3_copy2) ? largest_sum_d3_copy2 : largest_greater_d1_copy3;
+    wire [10:0] a_x_bits_plus_381 = a_x_bits_d2 + 11'd381;
+    wire ax_out_in_order = largest_d1 < a_x_bits_plus_381_d1;
+    wire ax_out_both = not_zero_is_a_x_bits_d3 & ax_out_in_order;
+    wire [10:0] ax_out_difference = a_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] ax_out_chosen = a_x_bits_is_255_d3 ? a_x_bits_d3 : ax_out_difference;
+    wire a_x_bits_is_255_or_ax_out_both = a_x_bits_is_255_d3 | ax_out_both_d1;
+    wire [22:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? ax_out_joined_d1 : 23'd0;
+    wire [10:0] a_y_bits_plus_381 = a_y_bits_d2 + 11'd381;
+    wire ay_out_in_order = largest_d1 < a_y_bits_plus_381_d1;
+    wire ay_out_both = not_zero_is_a_y_bits_d3 & ay_out_in_order;
+    wire [10:0] ay_out_difference = a_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] ay_out_chosen = a_y_bits_is_255_d3 ? a_y_bits_d3 : ay_out_difference;
+    wire a_y_bits_is_255_or_ay_out_both = a_y_bits_is_255_d3 | ay_out_both_d1;
+    wire [22:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? ay_out_joined_d1 : 23'd0;
+    wire [10:0] b_x_bits_plus_381 = b_x_bits_d2 + 11'd381;
+    wire bx_out_in_order = largest_d1 < b_x_bits_plus_381_d1;
+    wire bx_out_both = not_zero_is_b_x_bits_d3 & bx_out_in_order;
+    wire [10:0] bx_out_difference = b_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] bx_out_chosen = b_x_bits_is_255_d3 ? b_x_bits_d3 : bx_out_difference;
+    wire [10:0] b_y_bits_plus_381 = b_y_bits_d2 + 11'd381;
+    wire by_out_in_order = largest_d1 < b_y_bits_plus_381_d1;
+    wire by_out_both = not_zero_is_b_y_bits_d3 & by_out_in_order;
+    wire [10:0] by_out_difference = b_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] by_out_chosen = b_y_bits_is_255_d3 ? b_y_bits_d3 : by_out_difference;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d3;
+    wire [10:0] delta_sum = unit_delta_bits_d1_bits + largest_sum_plus_127_copy2;
+    wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
+    wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
+    wire largest_below_delta_sum = largest_d1 < delta_sum_d1;
+    wire delta_both = largest_below_delta_sum & not_zero_is_unit_delta_bits_d1;
+    wire unit_delta_bits_is_255 = 11'd255 == unit_delta_bits_d1_bits;
+    wire [10:0] delta_sum_minus_largest = delta_sum_d1 - largest_d1;
+    wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d1 : delta_sum_minus_largest;
+    wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
+    wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
+    wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
+    wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
+    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy4_y[22:15]};
+    wire [10:0] mx_sum_plus_mx_bits = mx_sum_d3 + mx_bits_d1_bits;
+    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire mx_in_order = largest_d1 < mx_sum_plus_mx_bits_d1;
+    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_bits_d1;
+    wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
+    wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] mx_sum_plus_my_bits = mx_sum_d3 + my_bits_d1_bits;
+    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire my_in_order = largest_d1 < mx_sum_plus_my_bits_d1;
+    wire my_both = my_in_order & not_zero_is_my_bits_d1;
+    wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
+    wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
+    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
+    wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
+    wire before_far_and_occupied_x = delay_12_from_6_out & occupied_x;
+    wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
+    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
+    wire sight_negative_out_d8 = delay_8_from_1_out[0];
+    wire not_ax_out_joined_sign = ~a_x_sign_d4;
+    wire not_ay_out_joined_sign = ~a_y_sign_d3;
+    wire visible_unequal_copy3 = sight_negative_out_d8 ^ delay_17_from_6_out;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : 24'd0;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? middle_depth_d1 : min_f24_ftz_unit_y) : phase[0] ? first_y_chosen_d1_copy3 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
+    wire [23:0] lt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? near_plane : 24'h3d0000) : phase[0] ? 24'd0 : center_z_d1;
+    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy5_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : in_center_z) : in_center_z;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0) : lt_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy5_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? spread_middle_d1 : depth_a;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : phase[0] ? center_x_d9 : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? spread_half_d2 : mul_f24_ftz_unit_y;
+    wire not_depth_a_sign = ~depth_a[23];
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
     wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_filter_radius : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_y_minus_t_y_d4) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? delay_5_from_5_out : center_x_minus_t_x_d4) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] minus_mul_f24_ftz_unit_copy5_y = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy5_y : minus_h_y_d1) : mul_f24_ftz_unit_copy4_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? depth_a : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : minus_filter_radius) : phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? r_times_tangent2_x_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_y_d9;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy3_b_choice : phase[0] ? mul_f24_ftz_unit_copy5_y : center_y_minus_t_y_d4;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[0] ? {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]} : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? center_x_minus_t_x_d4 : add_f24_ftz_unit_copy3_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : alpha_times_b_x_d1) : phase[0] ? alpha_times_b_x_d1 : filter_radius;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? filter_radius : phase[0] ? r_times_tangent1_y_d1 : center_depth_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]} : minus_beta_times_a_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy4_b_choice : phase[0] ? minus_beta_times_a_x_d1 : center_y_d8;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[0] ? minus_mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? middle_depth_d2 : center_y_d4) : center_y_d4;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? center_y_d4 : phase[0] ? r_times_tangent2_y_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? add_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_b_choice : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : phase[0] ? minus_mul_f24_ftz_unit_copy6_y : epsilon_bias;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_y_greater_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? center_x_minus_filter_radius_d1 : abs_b_depth_d2;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice_2 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : depth_high_out_greater_d1;
-    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? minus_filter_radius : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? filter_radius : mul_f24_ftz_unit_copy2_y) : phase[0] ? center_x_d5 : delay_7_from_3_out;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : center_z_d2) : phase[0] ? origin_y : a_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d9 : epsilon_bias) : add_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[0] ? mul_f24_ftz_unit_copy5_y : {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : center_x_minus_t_x_d4) : phase[0] ? delay_5_from_0_out : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : minus_filter_radius) : phase[0] ? center_y_minus_t_y_d4 : b_x_joined_times_r_d1;
+    wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : center_y_d10) : phase[0] ? minus_h_y_d1 : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? origin_x : sqrt_f24_ftz_unit_y) : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mx_product_d1) : phase[0] ? origin_y : origin_x;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy2_y[23], add_f24_ftz_unit_copy2_y[22:0]} : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? first_x_joined_d1_copy2 : center_x_minus_t_x_d4) : add_f24_ftz_unit_copy4_b_choice;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : minus_mx_product_d1) : phase[0] ? first_y_joined_d1_copy2 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[0] ? center_y_d1 : center_x_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_a_choice : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = phase[1] ? my_product_d1 : phase[0] ? filter_radius : a_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_b_choice : phase[0] ? add_f24_ftz_unit_copy2_y : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? minus_my_product_d1 : phase[0] ? center_y_d9 : minus_mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? add_f24_ftz_unit_copy5_a_choice : unit_delta_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? unit_delta_product_d1 : phase[0] ? unit_delta_product_d1 : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : first_x_joined_d1) : minus_unit_delta_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? minus_unit_delta_product_d1 : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? minus_unit_delta_product_d1 : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
+    wire [23:0] reaches_near_sum_d6 = delay_5_from_5_out[23:0];
+    wire [23:0] f_chosen = whole_d1 ? e_d1 : reaches_near_sum_d6;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? q_d4 : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? f_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : f_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : depth_b) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy2_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? scale_x : b_depth_d7) : phase[0] ? beta_d3 : beta_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_y : half_depth_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_times_f_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? first_y_chosen_d9 : epsilon_scale;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? scale_x : delay_7_from_4_out) : phase[0] ? mul_f24_ftz_unit_copy2_y : v_x_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? unit_delta_joined_d1_copy4 : a_x_squared_plus_b_x_squared_d2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? unit_delta_joined_d1_copy3 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? b_y_joined_d2 : b_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? scale_y : scale_x) : phase[0] ? delta_d1 : f_times_scale_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : phase[0] ? r_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : a_y_d1) : phase[0] ? alpha_d3 : v_y_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_y) : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : a_y_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? sight_near_out_joined : a_y_squared_plus_b_y_squared_d2;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y) : mul_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_y_d1) : phase[0] ? beta_d3 : a_y_joined_d2;
+    wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : b_y_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy6_y : delta_times_one_over_b_depth_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? q_d2 : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? before_far_joined_d1 : phase[0] ? before_far_joined_d1 : 24'h3f8000;
+    wire [23:0] le_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] delay_7_from_4_data_bits = {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? center_x_minus_filter_radius_d1 : delay_7_from_4_data_bits;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? last_y_chosen_d1_copy3 : last_x_chosen_d1_copy3) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : last_y_greater_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = phase[1] ? last_y_greater_d1 : phase[0] ? first_y_greater_d1 : max_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : depth_high_out_greater_d1) : phase[0] ? depth_high_out_greater_d1 : max_f24_ftz_unit_copy2_y;
+    wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
+    wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_y;
+    wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy2_y : lt_f24_ftz_unit_y;
+    wire turned_d10 = delay_9_from_6_out[0];
+    wire [23:0] ay_out = turned_d10 ? ay_out_joined_d1_copy3 : ay_out_joined_d1_copy2;
+    wire [23:0] ax_out = turned_d10 ? ax_out_joined_d1_copy3 : ax_out_joined_d1_copy2;
+    wire turned_and_lowered_chosen_sign_d9 = delay_9_from_6_out[97];
+    wire sight_negative_out = unit_delta_sign_d1 ^ turned_and_lowered_chosen_sign_d9;
+    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
+    wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy2_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
+    wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy2_y;
+    wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy2_y : first_y_in_order_d1_copy3;
+    wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_y;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
+    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
+    wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen_d1, my_bits_d1_copy2} : 23'd0;
+    wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
+    wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_bits_d1_copy2} : 23'd0;
+    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
+    wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d3 | by_out_both_d1;
+    wire [22:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? by_out_joined_d1 : 23'd0;
+    wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d3 | bx_out_both_d1;
+    wire [22:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? bx_out_joined_d1 : 23'd0;
+    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
+    wire before_far = before_far_both | before_far_in_order_d2;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
-    wire visible_unequal_copy2 = add_f24_ftz_unit_y[23] ^ visible_unequal;
+    wire swapped_and_turned = swapped_d1 & turned;
+    wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
+    wire all_before_far = beyond_near;
+    wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
 
     assign in_ready = load_0;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom
     } = queue_out_data;
 
-    stream_skid_w549 queue (
+    stream_skid_w598 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d17, center_x_d11, center_y_d11, a_x_d11, b_x_d11, a_y_d11, b_y_d11, delta_out, mx_d9, my_d8,
-            depth_out_d4, depth_low_out_d1, to_fixed_f24_ftz_u24q24_unit_y, attribute_0_d17, attribute_1_d17,
-            attribute_2_d17, attribute_3_d17, attribute_4_d17, attribute_5_d17, attribute_6_d17, attribute_7_d17,
-            attribute_8_d17, attribute_9_d17, attribute_10_d17, attribute_11_d17, attribute_12_d17,
-            cardinal_0_d17, first_x_d1, last_x_d1, first_y, last_y_d1
+            end_d19, center_x_d13, center_y_d13, ax_out_d8, bx_out_d9, ay_out_d8, by_out_d9, delta_out, mx_d9,
+            my_d9, sight_negative_out_d9, sight_near_out, sight_far_out, turned_d18, sight_disc_out_d13,
+            depth_out_d4, depth_low_out_d1, to_fixed_f24_ftz_u24q24_unit_y, attribute_0_d19, attribute_1_d19,
+            attribute_2_d19, attribute_3_d19, attribute_4_d19, attribute_5_d19, attribute_6_d19, attribute_7_d19,
+            attribute_8_d19, attribute_9_d19, attribute_10_d19, attribute_11_d19, attribute_12_d19,
+            cardinal_0_d19, first_x, last_x_d1, first_y, last_y_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
+        .y(max_f24_ftz_unit_y)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
+        .y(max_f24_ftz_unit_copy2_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
+        .y(lt_f24_ftz_unit_y)
+    );
+
+    float_lt_s2_f24ftz lt_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_copy2_a), .b(lt_f24_ftz_unit_copy2_b),
+        .y(lt_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
+        .y(add_f24_ftz_unit_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
+        .y(add_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
+        .y(add_f24_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
+        .y(add_f24_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
+        .y(add_f24_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_f24ftz add_f24_ftz_unit_copy6 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_a), .b(add_f24_ftz_unit_copy6_b),
+        .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_recip_s20_f24ftz recip_f24_ftz_unit (
@@ -6671,37 +7478,18 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_f24ftz add_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
-        .y(add_f24_ftz_unit_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
-        .y(add_f24_ftz_unit_copy2_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
-        .y(add_f24_ftz_unit_copy3_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
-        .y(add_f24_ftz_unit_copy4_y)
-    );
-
-    float_add_s6_f24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
-        .y(add_f24_ftz_unit_copy5_y)
-    );
-
-    float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_a), .b(mul_f24_ftz_unit_copy7_b),
+        .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
+    );
+
+    float_le_s2_f24ftz le_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
+        .y(le_f24_ftz_unit_y)
     );
 
     float_min_s2_f24ftz min_f24_ftz_unit (
@@ -6709,24 +7497,9 @@ module splat_setup (
         .y(min_f24_ftz_unit_y)
     );
 
-    float_max_s2_f24ftz max_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
-        .y(max_f24_ftz_unit_y)
-    );
-
-    float_max_s2_f24ftz max_f24_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
-        .y(max_f24_ftz_unit_copy2_y)
-    );
-
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
-    );
-
-    float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
-        .y(le_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
@@ -6745,13 +7518,29 @@ module splat_setup (
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
-            delay_17_from_0_pointer <= 4'd0;
+            delay_5_from_0_pointer <= 2'd0;
+            delay_9_from_0_pointer <= 3'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            delay_19_from_0_pointer <= 5'd0;
             delay_6_from_1_pointer <= 3'd0;
-            delay_8_from_4_pointer <= 3'd0;
+            delay_8_from_1_pointer <= 3'd0;
+            delay_9_from_1_pointer <= 3'd0;
+            delay_11_from_2_pointer <= 4'd0;
+            delay_16_from_2_pointer <= 4'd0;
+            delay_7_from_3_pointer <= 3'd0;
+            delay_5_from_4_pointer <= 2'd0;
+            delay_7_from_4_pointer <= 3'd0;
             delay_5_from_5_pointer <= 2'd0;
+            delay_7_from_5_pointer <= 3'd0;
+            delay_8_from_6_pointer <= 3'd0;
             delay_9_from_6_pointer <= 3'd0;
-            delay_10_from_6_pointer <= 4'd0;
-            in_flight <= 17'd0;
+            delay_11_from_6_pointer <= 4'd0;
+            delay_12_from_6_pointer <= 4'd0;
+            delay_17_from_6_pointer <= 4'd0;
+            delay_5_from_7_pointer <= 2'd0;
+            delay_7_from_7_pointer <= 3'd0;
+            delay_9_from_7_pointer <= 3'd0;
+            in_flight <= 19'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -6763,257 +7552,682 @@ module splat_setup (
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
-                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                in_flight <= {in_flight[15:0], in_valid};
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
+                in_flight <= {in_flight[17:0], in_valid};
             end
             if (load_1) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
+                delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
+                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
+            end
+            if (load_2) begin
+                delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
+                delay_16_from_2_pointer <= (delay_16_from_2_pointer == 4'd14) ? (delay_16_from_2_pointer - 4'd14) : (delay_16_from_2_pointer + 4'd1);
+            end
+            if (load_3) begin
+                delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
             end
             if (load_4) begin
-                delay_8_from_4_pointer <= (delay_8_from_4_pointer == 3'd6) ? (delay_8_from_4_pointer - 3'd6) : (delay_8_from_4_pointer + 3'd1);
+                delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
+                delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
             end
             if (load_5) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+                delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
             end
             if (load_6) begin
+                delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
                 delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
-                delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
+                delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
+                delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
+                delay_17_from_6_pointer <= (delay_17_from_6_pointer == 4'd15) ? (delay_17_from_6_pointer - 4'd15) : (delay_17_from_6_pointer + 4'd1);
+            end
+            if (load_7) begin
+                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
+                delay_7_from_7_pointer <= (delay_7_from_7_pointer == 3'd5) ? (delay_7_from_7_pointer - 3'd5) : (delay_7_from_7_pointer + 3'd1);
+                delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            r_d1 <= recip_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_y;
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            center_y_d3_copy2 <= center_y_d2_copy2;
-            center_y_d4 <= center_y_d3_copy2;
-            center_y_d5 <= center_y_d4;
-            center_y_d6 <= center_y_d5;
+        if (load_0) begin
+            center_x_d1 <= in_center_x;
+            center_y_d1 <= in_center_y;
+            center_z_d1 <= in_center_z;
+            center_z_d2 <= center_z_d1;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_z_d1 <= in_tangent2_z;
+            turned_greater_d1 <= turned_greater;
+            center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            before_far_in_order_d1 <= le_f24_ftz_unit_y;
+            before_far_in_order_d2 <= before_far_in_order_d1;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
+            center_y_d6 <= delay_5_from_0_out;
             center_y_d7 <= center_y_d6;
             center_y_d8 <= center_y_d7;
             center_y_d9 <= center_y_d8;
             center_y_d10 <= center_y_d9;
             center_y_d11 <= center_y_d10;
-            b_depth_d6 <= delay_5_from_5_out;
-            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
-        if (load_0) begin
-            tangent1_z_d1 <= in_tangent1_z;
-            tangent1_z_d2 <= tangent1_z_d1;
-            tangent1_z_d3 <= tangent1_z_d2;
-            tangent2_z_d1 <= in_tangent2_z;
-            tangent2_z_d2 <= tangent2_z_d1;
-            tangent2_z_d3 <= tangent2_z_d2;
-            q_d1 <= add_f24_ftz_unit_y;
-            q_d2 <= q_d1;
-            q_d3 <= q_d2;
-            q_d4 <= q_d3;
-            center_x_d1 <= in_center_x;
-            center_x_d2 <= center_x_d1;
-            center_x_d3 <= center_x_d2;
-            tangent1_x_d1 <= in_tangent1_x;
-            tangent1_x_d2 <= tangent1_x_d1;
-            tangent1_x_d3 <= tangent1_x_d2;
-            tangent2_x_d1 <= in_tangent2_x;
-            tangent2_x_d2 <= tangent2_x_d1;
-            tangent2_x_d3 <= tangent2_x_d2;
-            last_x_d1 <= last_x;
-            occupied_x_d1 <= occupied_x;
-            center_y_d1 <= in_center_y;
-            center_y_d2 <= center_y_d1;
-            center_y_d3 <= center_y_d2;
-            tangent1_y_d1 <= in_tangent1_y;
-            tangent1_y_d2 <= tangent1_y_d1;
-            tangent1_y_d3 <= tangent1_y_d2;
-            tangent2_y_d1 <= in_tangent2_y;
-            tangent2_y_d2 <= tangent2_y_d1;
-            tangent2_y_d3 <= tangent2_y_d2;
-            first_y_lesser_d1 <= min_f24_ftz_unit_y;
-            first_y_chosen_d1 <= first_y_chosen;
-            abs_b_depth_d1 <= {1'd0, b_depth_d6[22:0]};
-            abs_b_depth_d2 <= abs_b_depth_d1;
-            spread_half_d1 <= mul_f24_ftz_unit_copy4_y;
-            spread_half_d2 <= spread_half_d1;
-            spread_half_d3 <= spread_half_d2;
+            center_y_d12 <= center_y_d11;
+            center_y_d13 <= center_y_d12;
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy5_y;
+            first_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
+            last_y_d1 <= last_y;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            largest_sum_d1_copy2 <= largest_sum_copy3;
+            largest_sum_d2_copy2 <= largest_sum_d1_copy2;
+            largest_sum_d3_copy2 <= largest_sum_d2_copy2;
+            delta_sum_d1 <= delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy6_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy6_y[23];
+            mx_sum_d1_copy3 <= mx_sum_copy3;
+            mx_sum_d2 <= mx_sum_d1_copy3;
+            mx_sum_d3 <= mx_sum_d2;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            unit_delta_product_bits_d1 <= unit_delta_product_d1[22:15];
+            edge_on_in_order_d1 <= edge_on_in_order;
+            visible_both_d1 <= visible_both;
         end
         if (load_3) begin
-            alpha_d1 <= mul_f24_ftz_unit_y;
-            alpha_d2 <= alpha_d1;
-            alpha_d3 <= alpha_d2;
-            beta_d1 <= mul_f24_ftz_unit_copy2_y;
-            beta_d2 <= beta_d1;
-            beta_d3 <= beta_d2;
-            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy5_y;
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            t_x_sum_d2 <= t_x_sum_d1;
-            first_x_chosen_d1 <= first_x_chosen;
-            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            t_y_sum_d2 <= t_y_sum_d1;
-            last_y_d1 <= last_y;
-            occupied_y_d1 <= occupied_y;
-            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
+            first_x_in_order_d1 <= first_x_in_order;
+            first_x_inverted_d1 <= first_x_inverted;
+            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
+            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
+            first_x_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
+            first_x_greater_sign_d1 <= max_f24_ftz_unit_y[23];
+            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
+            reaches_near_sum_d1 <= reaches_near_sum;
+            zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
+            not_reaches_near_same_d1 <= not_reaches_near_same;
+            reaches_near_same_d1 <= reaches_near_same_copy2;
+            reaches_near_in_order_d1 <= reaches_near_in_order;
+            reaches_near_greater_bits_d1_copy2 <= max_f24_ftz_unit_copy2_y[14:0];
+            reaches_near_greater_sign_d1 <= max_f24_ftz_unit_copy2_y[23];
+            beyond_near_d1 <= lt_f24_ftz_unit_y;
+            beyond_near_d2 <= beyond_near_d1;
+            swapped_d1 <= lt_f24_ftz_unit_copy2_y;
+            turned_either_d1 <= turned_either;
+            lowered_greater_d1_copy5 <= lowered_greater_copy5;
+            center_depth_d8 <= delay_7_from_3_out;
+            center_depth_d9 <= center_depth_d8;
+            spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
+            spread_middle_d2 <= spread_middle_d1;
+            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy4_y;
+            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy5_y;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
-        if (load_1) begin
-            whole_d7 <= delay_6_from_1_out;
-            whole_d8 <= whole_d7;
-            whole_d9 <= whole_d8;
-            whole_d10 <= whole_d9;
-            whole_d11 <= whole_d10;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+        if (load_4) begin
+            first_x_both_d1 <= first_x_both_copy3;
+            first_x_either_d1 <= first_x_either;
+            first_y_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
+            first_y_in_order_d1 <= first_y_in_order;
+            first_y_inverted_d1 <= first_y_inverted;
+            first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
+            first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
+            first_y_greater_bits_d1_copy2 <= max_f24_ftz_unit_y[14:0];
+            first_y_greater_sign_d1 <= max_f24_ftz_unit_y[23];
+            reaches_near_both_d1 <= reaches_near_both_copy3;
+            reaches_near_either_d1 <= reaches_near_either;
+            lowered_d1 <= lowered;
+            r_d1 <= recip_f24_ftz_unit_y;
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            b_depth_d4 <= b_depth_d3;
+            b_depth_d5 <= b_depth_d4;
+            b_depth_d6 <= b_depth_d5;
+            b_depth_d7 <= b_depth_d6;
+            spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
+            spread_half_d2 <= spread_half_d1;
+            spread_half_d3 <= spread_half_d2;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
             center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
             center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
             center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy5_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
             center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
             center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
             center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
+            largest_d1 <= largest;
+        end
+        if (load_5) begin
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
+            first_y_both_d1 <= first_y_both_copy3;
+            first_y_either_d1 <= first_y_either;
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+            a_y_chosen_d1 <= a_y_chosen[7:0];
+            alpha_both_d1 <= alpha_both;
+            alpha_chosen_d1 <= alpha_chosen[7:0];
+            b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
+            b_x_chosen_d1 <= b_x_chosen[7:0];
+            b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
+            b_y_chosen_d1 <= b_y_chosen[7:0];
+            beta_both_d1 <= beta_both;
+            beta_chosen_d1 <= beta_chosen[7:0];
+            beyond_near_and_not_turned_d1 <= beyond_near_and_not_turned;
+            beyond_near_and_not_turned_d2 <= beyond_near_and_not_turned_d1;
+            beyond_near_and_not_turned_d3 <= beyond_near_and_not_turned_d2;
+            beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
+            beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
+            reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
+            q_times_f_d1 <= mul_f24_ftz_unit_y;
             middle_depth_d1 <= middle_depth;
             middle_depth_d2 <= middle_depth_d1;
             half_depth_d1 <= half_depth;
-            visible_both_d1 <= visible_both;
+            t_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
+            last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f24_ftz_unit_copy5_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            t_y_d1 <= mul_f24_ftz_unit_copy7_y;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_d3 <= a_x_bits_d2;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_y_bits_d3 <= a_y_bits_d2;
+            a_exponent_d1 <= a_exponent;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_x_bits_d3 <= b_x_bits_d2;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
+            b_y_bits_d3 <= b_y_bits_d2;
+            b_exponent_d1 <= b_exponent;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
+            not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            a_x_sign_d3 <= a_x_sign_d2;
+            a_x_sign_d4 <= a_x_sign_d3;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
+            not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
+            not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            b_x_sign_d3 <= b_x_sign_d2;
+            b_x_sign_d4 <= b_x_sign_d3;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
+            not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            ax_out_both_d1 <= ax_out_both;
+            ax_out_joined_d1 <= {ax_out_chosen[7:0], a_x_bits_d3_copy2};
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_joined_d1 <= {ay_out_chosen[7:0], a_y_bits_d3_copy2};
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_joined_d1 <= {bx_out_chosen[7:0], b_x_bits_d3_copy2};
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            by_out_both_d1 <= by_out_both;
+            by_out_joined_d1 <= {by_out_chosen[7:0], b_y_bits_d3_copy2};
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_both_d1 <= my_both;
+            my_chosen_d1 <= my_chosen[7:0];
+        end
+        if (load_6) begin
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            turned_d1 <= turned;
+            v_x_chosen_d1 <= v_x_chosen_copy2;
+            v_x_chosen_d2 <= v_x_chosen_d1;
+            v_x_chosen_d3 <= v_x_chosen_d2;
+            v_y_chosen_d1 <= v_y_chosen_copy2;
+            v_y_chosen_d2 <= v_y_chosen_d1;
+            v_y_chosen_d3 <= v_y_chosen_d2;
+            lowered_chosen_d1 <= lowered_chosen_copy5;
+            lowered_chosen_bits_d1 <= {3'd0, lowered_chosen_copy6[22:15]};
+            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_copy7[22:15]};
+            lowered_chosen_bits_d1_copy3 <= {3'd0, lowered_chosen_copy8[22:15]};
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_copy9[22:15]};
+            lowered_chosen_bits_d1_copy5 <= {3'd0, lowered_chosen_copy10[22:15]};
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_copy11[22:15]};
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy6[14:0];
+            lowered_chosen_sign_d1 <= lowered_chosen_copy6[23];
+            a_x_joined_d1 <= {lowered_chosen_sign_d1, a_x_chosen_copy2};
+            a_x_joined_d2 <= a_x_joined_d1;
+            lowered_chosen_bits_d1_copy8 <= lowered_chosen_copy7[14:0];
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[23];
+            a_y_joined_d1 <= {lowered_chosen_sign_d1_copy2, a_y_chosen_copy2};
+            a_y_joined_d2 <= a_y_joined_d1;
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy8[14:0];
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[23];
+            alpha_joined_d1 <= {lowered_chosen_sign_d1_copy3, alpha_chosen_copy2};
+            alpha_joined_d2 <= alpha_joined_d1;
+            lowered_chosen_bits_d1_copy10 <= lowered_chosen_copy9[14:0];
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[23];
+            b_x_joined_d1 <= {lowered_chosen_sign_d1_copy4, b_x_chosen_copy2};
+            b_x_joined_d2 <= b_x_joined_d1;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy10[14:0];
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[23];
+            b_y_joined_d1 <= {lowered_chosen_sign_d1_copy5, b_y_chosen_copy2};
+            b_y_joined_d2 <= b_y_joined_d1;
+            lowered_chosen_bits_d1_copy12 <= lowered_chosen_copy11[14:0];
+            lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[23];
+            beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
+            beta_joined_d2 <= beta_joined_d1;
+            e_d1 <= add_f24_ftz_unit_y;
+            sight_disc_out_d12 <= delay_11_from_6_out;
+            sight_disc_out_d13 <= sight_disc_out_d12;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            f_times_scale_x_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy5_y[23], first_x_chosen_copy6};
+            first_x_chosen_d1 <= first_x_chosen_copy8;
+            first_x_chosen_d2 <= first_x_chosen_d1;
+            first_x_chosen_d3 <= first_x_chosen_d2;
+            last_x_chosen_d1 <= last_x_chosen_copy2;
+            last_x_chosen_d2 <= last_x_chosen_d1;
+            last_x_chosen_d3 <= last_x_chosen_d2;
+            last_x_d1 <= last_x;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy6_y;
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            unit_delta_both_d1 <= unit_delta_both;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            a_y_sign_d1 <= a_y_d1[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            a_y_sign_d3 <= a_y_sign_d2;
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            b_y_sign_d1 <= b_y_d1[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            largest_sum_d1 <= largest_sum;
+            largest_sum_d2 <= largest_sum_d1;
+            largest_sum_d3 <= largest_sum_d2;
+            largest_greater_d1 <= largest_greater;
+            ax_out_joined_d1_copy2 <= {a_x_sign_d4, ax_out_chosen_copy2};
+            ay_out_joined_d1_copy2 <= {a_y_sign_d3, ay_out_chosen_copy2};
+            delta_d1 <= delta;
+            edge_on_lesser_d1 <= edge_on_lesser;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            ax_out_joined_d1_copy3 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
+            ay_out_joined_d1_copy3 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
             depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_out_d2 <= depth_out_d1;
             depth_out_d3 <= depth_out_d2;
             depth_out_d4 <= depth_out_d3;
-            depth_high_out_greater_d1 <= max_f24_ftz_unit_copy2_y;
         end
-        if (load_6) begin
-            a_x_d1 <= mul_f24_ftz_unit_y;
-            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            a_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            last_y_greater_d1 <= max_f24_ftz_unit_y;
-            a_x_times_b_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            delta_bits_is_zero_d1 <= delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-        end
-        if (load_4) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            center_x_d3_copy2 <= center_x_d2_copy2;
-            center_x_d4 <= center_x_d3_copy2;
-            center_x_d5 <= center_x_d4;
+        if (load_7) begin
+            lowered_greater_d1 <= lowered_greater;
+            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
+            a_x_inverted_d1 <= a_x_inverted;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
+            a_y_inverted_d1 <= a_y_inverted;
+            lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
+            alpha_inverted_d1 <= alpha_inverted;
+            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
+            b_x_inverted_d1 <= b_x_inverted;
+            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
+            b_y_inverted_d1 <= b_y_inverted;
+            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
+            beta_inverted_d1 <= beta_inverted;
+            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            q_d3 <= q_d2;
+            q_d4 <= q_d3;
+            f_d1 <= recip_f24_ftz_unit_y;
+            before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
             center_x_d6 <= center_x_d5;
             center_x_d7 <= center_x_d6;
             center_x_d8 <= center_x_d7;
             center_x_d9 <= center_x_d8;
             center_x_d10 <= center_x_d9;
             center_x_d11 <= center_x_d10;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            first_x_d1 <= first_x;
-            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy4_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy3_y;
+            center_x_d12 <= center_x_d11;
+            center_x_d13 <= center_x_d12;
             minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy2_y[23], first_y_chosen_copy6};
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            unit_delta_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            minus_unit_delta_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
+            m_exponent_d1 <= m_exponent;
+            delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy5_y;
+            depth_high_out_greater_d1 <= max_f24_ftz_unit_y;
+        end
+        if (load_1) begin
+            lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            not_turned_d1 <= not_turned;
+            not_turned_d2 <= not_turned_d1;
+            not_turned_d3 <= not_turned_d2;
+            not_turned_d4 <= not_turned_d3;
+            not_turned_d5 <= not_turned_d4;
+            not_turned_d6 <= not_turned_d5;
+            whole_d1 <= whole;
+            whole_d8 <= delay_6_from_1_out;
+            whole_d9 <= whole_d8;
+            first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
+            last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
+            last_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
+            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            minus_mx_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            my_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy6_y;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            mx_bits_d1 <= mx_bits_d1_bits;
+            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            mx_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
+            mx_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy5_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy5_y[23];
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            sight_negative_out_d9 <= sight_negative_out_d8;
+            visible_unequal_d1 <= visible_unequal_copy3;
         end
         if (load_2) begin
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            last_y_lesser_d1 <= last_y_lesser;
-            center_depth_d1 <= add_f24_ftz_unit_copy2_y;
-            center_depth_d2 <= center_depth_d1;
-            center_depth_d3 <= center_depth_d2;
-            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
-            center_depth_up_to_one_d2 <= center_depth_up_to_one_d1;
-            center_depth_up_to_one_d3 <= center_depth_up_to_one_d2;
-            center_depth_up_to_one_d4 <= center_depth_up_to_one_d3;
-        end
-        if (load_7) begin
-            last_x_lesser_d1 <= last_x_lesser;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
-            alpha_times_b_x_d1 <= mul_f24_ftz_unit_y;
-            minus_beta_times_a_x_d1 <= minus_mul_f24_ftz_unit_copy6_y;
-            spread_middle_d1 <= add_f24_ftz_unit_copy4_y;
-            spread_middle_d2 <= spread_middle_d1;
+            lowered_greater_d1_copy4 <= lowered_greater_copy4;
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            alpha_d3 <= alpha_d2;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            beta_d3 <= beta_d2;
+            a_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy4_y;
+            b_x_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            t_x_sum_d2 <= t_x_sum_d1;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy3_y;
+            a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
+            v_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
+            t_y_sum_d2 <= t_y_sum_d1;
+            last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
+            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
+            beta_bits_d3 <= beta_bits_d2;
+            alpha_bits_d1 <= alpha_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            alpha_bits_d3 <= alpha_bits_d2;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_beta_bits_d3 <= not_zero_is_beta_bits_d2;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+            not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : phase[1] ? mul_f24_ftz_unit_y : phase[0] ? alpha_d3 : scale_x;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? a_x_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_a_choice_2;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? (phase[0] ? b_x_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_a_choice;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? (phase[0] ? a_y_d1 : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_a_choice;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_3;
+            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? 24'd0 : max_f24_ftz_unit_a_choice_2;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : phase[1] ? first_x_chosen_d1_copy3 : max_f24_ftz_unit_b_choice_3;
+            max_f24_ftz_unit_copy2_a <= phase[2] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_bits;
+            lt_f24_ftz_unit_a <= phase[2] ? lt_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? center_z_d1 : near_plane) : near_plane;
+            lt_f24_ftz_unit_b <= phase[2] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
+            lt_f24_ftz_unit_copy2_a <= phase[2] ? lt_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_bits;
+            lt_f24_ftz_unit_copy2_b <= phase[2] ? lt_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_bits;
+            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_4;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_5;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy4_b_choice_3;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice_2 : add_f24_ftz_unit_copy5_a_choice_3;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice_2 : add_f24_ftz_unit_copy5_b_choice_3;
+            add_f24_ftz_unit_copy6_a <= phase[2] ? add_f24_ftz_unit_copy6_a_choice : add_f24_ftz_unit_copy6_a_choice_2;
+            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_3;
+            recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
+            mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_3;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
             mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
             mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? (phase[0] ? r_d1 : beta_d3) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy6_a_choice;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
-            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-            add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_2 : phase[1] ? center_x_d8 : add_f24_ftz_unit_copy4_b_choice_3;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice_2 : add_f24_ftz_unit_copy5_b_choice_3;
-            sqrt_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_d1) : q_d1) : phase[1] ? q_d1 : t_y_squared_plus_h_y_product_d1;
-            min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_2;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_3;
+            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : phase[1] ? mul_f24_ftz_unit_copy2_y : one_minus_depth_a_d9;
+            mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : mul_f24_ftz_unit_copy7_b_choice_2;
+            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : add_f24_ftz_unit_copy3_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? depth_b : phase[0] ? depth_b : add_f24_ftz_unit_y) : phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : le_f24_ftz_unit_b_choice_2;
+            min_f24_ftz_unit_a <= phase[2] ? (phase[1] ? first_x_chosen_d1_copy2 : 24'h3f8000) : phase[1] ? 24'h45fff8 : first_y_chosen_d1_copy2;
             min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : max_f24_ftz_unit_a_choice;
-            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice : max_f24_ftz_unit_b_choice_2;
-            max_f24_ftz_unit_copy2_a <= 24'd0;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : middle_depth_d1) : phase[1] ? middle_depth_d1 : first_y_lesser_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : max_f24_ftz_unit_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? center_depth_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : to_fixed_f24_ftz_u24q24_unit_a_choice_2;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : to_fixed_f24_ftz_u21q8_unit_a_choice_2;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : max_f24_ftz_unit_copy2_y;
         end
     end
     always @(posedge clk) begin
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= add_f24_ftz_unit_copy2_y;
+        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
+        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
         if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= {
+            delay_11_from_0[delay_11_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7};
+        end
+        if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_19_from_0[delay_19_from_0_pointer] <= {
                 in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
                 in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
                 in_attribute_1, in_attribute_0, in_end
             };
         end
-        if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        if (load_0) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= whole_d1;
         if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
-        if (load_4) delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
+        if (load_1) begin
+            delay_8_from_1[delay_8_from_1_pointer] <= {ay_out, ax_out, sight_negative_out};
+        end
+        if (load_1) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
+        if (load_1) begin
+            delay_9_from_1[delay_9_from_1_pointer] <= {edge_on, first_y_chosen_copy5, add_f24_ftz_unit_y};
+        end
+        if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_2) begin
+            delay_11_from_2[delay_11_from_2_pointer] <= {last_y_chosen, first_y_chosen_copy7};
+        end
+        if (load_2) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_2) delay_16_from_2[delay_16_from_2_pointer] <= reaches_near;
+        if (load_2) delay_16_from_2_out <= delay_16_from_2[delay_16_from_2_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_3) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
+        if (load_3) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
+        if (load_4) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) delay_7_from_4[delay_7_from_4_pointer] <= delay_7_from_4_data_bits;
+        if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) begin
+            delay_5_from_5[delay_5_from_5_pointer] <= {beyond_near, reaches_near_sum_d1_copy2};
+        end
         if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
+        if (load_5) delay_7_from_5[delay_7_from_5_pointer] <= beyond_near_and_not_turned_d5;
+        if (load_5) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_8_from_6[delay_8_from_6_pointer] <= {delta_d1, turned_d10};
+        if (load_6) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
+    end
+    always @(posedge clk) begin
         if (load_6) begin
-            delay_9_from_6[delay_9_from_6_pointer] <= {visible_unequal_copy2, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
+            delay_9_from_6[delay_9_from_6_pointer] <= {
+                turned_and_lowered_chosen_sign, my, mx, b_y_sign_d3, by_out_chosen_copy2, b_x_sign_d4,
+                bx_out_chosen_copy2, turned_d1
+            };
         end
         if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_10_from_6[delay_10_from_6_pointer] <= {b_y_d1, a_y_d1, b_x_d1, a_x_d1};
-        if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
+        if (load_6) delay_11_from_6[delay_11_from_6_pointer] <= sight_disc_out;
+        if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= before_far;
+        if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_17_from_6[delay_17_from_6_pointer] <= visible_unequal_copy2;
+        if (load_6) delay_17_from_6_out <= delay_17_from_6[delay_17_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_5_from_7[delay_5_from_7_pointer] <= {add_f24_ftz_unit_copy4_y, all_before_far};
+        end
+        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_7_from_7[delay_7_from_7_pointer] <= {mul_f24_ftz_unit_copy7_y[22:0], mul_f24_ftz_unit_copy6_y[22:0]};
+        end
+        if (load_7) delay_7_from_7_out <= delay_7_from_7[delay_7_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= half_depth_chosen;
+        if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
 
-    wire _unused = &{1'b0, last_x_chosen_minus_1[21:9], last_y_chosen_minus_1[21:9]};
+    wire _unused = &{
+        1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], ax_out_chosen[10:8],
+        ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], bx_out_chosen[10:8],
+        by_out_chosen[10:8], delta_chosen[10:8], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
+        last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8],
+        mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
+        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & phase_is_1));
         load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
         load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
-        load_4_in_phase: assert (load_4 == (queue_in_ready & phase_is_4));
+        load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
         load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
         load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
         load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
@@ -7021,7 +8235,7 @@ module splat_setup (
         if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
             $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+        if (!(load_1 == (queue_in_ready & phase_is_1))) begin
             $display("assertion failed: load_1_in_phase in %m"); $stop;
         end
         if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
@@ -7030,7 +8244,7 @@ module splat_setup (
         if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
             $display("assertion failed: load_3_in_phase in %m"); $stop;
         end
-        if (!(load_4 == (queue_in_ready & phase_is_4))) begin
+        if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
             $display("assertion failed: load_4_in_phase in %m"); $stop;
         end
         if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
@@ -7089,30 +8303,6 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Whether one floating-point number is less than another or equal.
-// stages = 2
-// format = f24-ftz
-module float_le_s2_f24ftz (
-    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
-    output reg  y
-);
-    reg unordered_s1, both_zero_s1, compared_s1;
-
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
-            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
-        end
-    end
-endmodule
-
 // Floating to fixed point.
 // stages = 3
 // format = f24-ftz
@@ -7155,31 +8345,6 @@ module float_to_fixed_s3_f24ftz_w21_f8_unsigned (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Greater of two floating-point numbers.
-// stages = 2
-// format = f24-ftz
-module float_max_s2_f24ftz (
-    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
-    output reg  [23:0] y
-);
-    reg a_nan_s1, b_nan_s1, less_s1;
-    reg [23:0] a_s1, b_s1;
-
-    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
-            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
-            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
-            a_s1 <= {a[23:15], a_nan_s1_both};
-            b_s1 <= {b[23:15], b_nan_s1_both};
-            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
-        end
-    end
-endmodule
-
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f24-ftz
@@ -7201,6 +8366,30 @@ module float_min_s2_f24ftz (
             a_s1 <= {a[23:15], a_nan_s1_both};
             b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
+        end
+    end
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le_s2_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1, both_zero_s1, compared_s1;
+
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
 endmodule
@@ -7780,14 +8969,14 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 549
-module stream_skid_w549 (
+// width = 598
+module stream_skid_w598 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [548:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [548:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [597:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [597:0] out_data
 );
     reg second_valid;
-    reg [548:0] head, second;
+    reg [597:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -7823,7 +9012,7 @@ module stream_skid_w549 (
 endmodule
 
 // World space to camera space.
-// latency = 28
+// latency = 36
 // initiation_interval = 8
 module splat_transform (
     input  wire clk, input wire rst,
@@ -7891,61 +9080,94 @@ module splat_transform (
     output wire [15:0] out_attribute_12,  // Attributes.
     output wire [15:0] out_cardinal_0  // Attributes.
 );
+    (* ram_style = "distributed" *)
+    reg [16:0] delay_5_from_0 [0:3];
     reg [2:0] phase;
-    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
+    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [16:0] delay_5_from_0_out;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
     reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
-    reg [15:0] attribute_12_d1, cardinal_0_d1, cardinal_0_d2, cardinal_0_d3, cardinal_0_d4;
-    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m12_times_center_z_d1, u_x_d1, u_y_d1, u_z_d1, tangent1_x_d1;
-    reg [23:0] tangent1_y_d1, tangent1_z_d1, m02_times_tangent1_z_d1, v1_x_d1, m10_times_tangent1_x_d1;
-    reg [23:0] m12_times_tangent1_z_d1, v1_y_d1, m22_times_tangent1_z_d1, v1_z_d1, tangent2_x_d1, tangent2_y_d1;
-    reg [23:0] tangent2_z_d1, m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_y_sum_d1;
-    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, m20_times_tangent2_x_d1, v2_z_sum_d1, m22_times_tangent2_z_d1;
-    reg [23:0] v2_z_d1;
+    reg [15:0] attribute_12_d1;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, m02_times_center_z_d1, u_x_sum_d1, m12_times_center_z_d1;
+    reg [23:0] u_y_sum_d1, u_x_d1, u_y_d1, u_z_d1, u_z_d2, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1;
+    reg [23:0] m00_times_tangent1_x_d1, m02_times_tangent1_z_d1, v1_x_d1, v1_x_d2, m12_times_tangent1_z_d1, v1_y_d1;
+    reg [23:0] v1_y_d2, v1_z_d1, v1_z_d2, v1_z_d3, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
+    reg [23:0] m00_times_tangent2_x_d1, m02_times_tangent2_z_d1, v2_x_d1, v2_x_d2, v2_y_sum_d1;
+    reg [23:0] m12_times_tangent2_z_d1, v2_y_d1, v2_y_d2, m22_times_tangent2_z_d1, v2_z_d1, v2_z_d2;
+    reg near_plane_below_u_z_d1;
+    reg [23:0] kept_joined_d1;
+    reg kept_greater_bits_is_zero_d1;
+    reg [23:0] kept_chosen_d1;
     reg attribute_0_bits_is_31_d1;
     reg [15:0] attribute_0_out_chosen_d1, attribute_0_out_d1, attribute_0_out_d2, attribute_0_out_d3;
+    reg [15:0] attribute_0_out_d4;
     reg attribute_1_bits_is_31_d1;
     reg [15:0] attribute_1_out_chosen_d1, attribute_1_out_d1, attribute_1_out_d2, attribute_1_out_d3;
+    reg [15:0] attribute_1_out_d4;
     reg attribute_2_bits_is_31_d1;
     reg [15:0] attribute_2_out_chosen_d1, attribute_2_out_d1, attribute_2_out_d2, attribute_2_out_d3;
+    reg [15:0] attribute_2_out_d4;
     reg attribute_3_bits_is_31_d1;
     reg [15:0] attribute_3_out_chosen_d1, attribute_3_out_d1, attribute_3_out_d2, attribute_3_out_d3;
+    reg [15:0] attribute_3_out_d4;
     reg attribute_4_bits_is_31_d1;
     reg [15:0] attribute_4_out_chosen_d1, attribute_4_out_d1, attribute_4_out_d2, attribute_4_out_d3;
+    reg [15:0] attribute_4_out_d4;
     reg attribute_5_bits_is_31_d1;
     reg [15:0] attribute_5_out_chosen_d1, attribute_5_out_d1, attribute_5_out_d2, attribute_5_out_d3;
+    reg [15:0] attribute_5_out_d4;
     reg attribute_6_bits_is_31_d1;
     reg [15:0] attribute_6_out_chosen_d1, attribute_6_out_d1, attribute_6_out_d2, attribute_6_out_d3;
+    reg [15:0] attribute_6_out_d4;
     reg attribute_7_bits_is_31_d1;
     reg [15:0] attribute_7_out_chosen_d1, attribute_7_out_d1, attribute_7_out_d2, attribute_7_out_d3;
+    reg [15:0] attribute_7_out_d4;
     reg attribute_8_bits_is_31_d1;
     reg [15:0] attribute_8_out_chosen_d1, attribute_8_out_d1, attribute_8_out_d2, attribute_8_out_d3;
+    reg [15:0] attribute_8_out_d4;
     reg attribute_9_bits_is_31_d1;
     reg [15:0] attribute_9_out_chosen_d1, attribute_9_out_d1, attribute_9_out_d2, attribute_9_out_d3;
+    reg [15:0] attribute_9_out_d4;
     reg attribute_10_bits_is_31_d1;
     reg [15:0] attribute_10_out_chosen_d1, attribute_10_out_d1, attribute_10_out_d2, attribute_10_out_d3;
+    reg [15:0] attribute_10_out_d4;
     reg attribute_11_bits_is_31_d1;
     reg [15:0] attribute_11_out_chosen_d1, attribute_11_out_d1, attribute_11_out_d2, attribute_11_out_d3;
+    reg [15:0] attribute_11_out_d4;
     reg attribute_12_bits_is_31_d1;
     reg [15:0] attribute_12_out_chosen_d1, attribute_12_out_d1, attribute_12_out_d2, attribute_12_out_d3;
+    reg [15:0] attribute_12_out_d4;
     reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
     reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
     reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
-    reg [3:0] in_flight;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b, lt_f24_ftz_unit_a;
+    reg [23:0] lt_f24_ftz_unit_b;
+    reg [4:0] in_flight;
 
     wire queue_in_ready;
     wire [440:0] queue_out_data;
     wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
+    wire [23:0] max_f24_ftz_unit_y;
 
-    wire end_or_near_plane_below_u_z = end_d4 | lt_f24_ftz_unit_y;
+    wire end_d5 = delay_5_from_0_out[0];
+    wire kept_either = near_plane_below_u_z_d1 | lt_f24_ftz_unit_y;
+    wire end_or_kept_either = end_d5 | kept_either;
     wire phase_is_4 = phase == 3'd4;
-    wire queue_in_valid_both = in_flight[3] & end_or_near_plane_below_u_z & phase_is_4;
+    wire queue_in_valid_both = in_flight[4] & end_or_kept_either & phase_is_4;
+    wire [15:0] cardinal_0_d5 = delay_5_from_0_out[16:1];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire kept_greater_bits_is_255 = max_f24_ftz_unit_y[22:15] == 8'd255;
+    wire [7:0] kept_greater_bits_plus_1 = max_f24_ftz_unit_y[22:15] + 8'd1;
+    wire [7:0] kept_chosen = kept_greater_bits_is_255 ? max_f24_ftz_unit_y[22:15] : kept_greater_bits_plus_1;
+    wire kept_greater_bits_is_254 = max_f24_ftz_unit_y[22:15] == 8'd254;
+    wire [14:0] kept_chosen_copy2 = kept_greater_bits_is_254 ? 15'd0 : max_f24_ftz_unit_y[14:0];
+    wire kept_greater_bits_is_zero = max_f24_ftz_unit_y[22:15] == 8'd0;
+    wire [23:0] kept_chosen_copy3 = kept_greater_bits_is_zero_d1 ? 24'd0 : kept_joined_d1;
     wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
     wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
     wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
@@ -7998,28 +9220,28 @@ module splat_transform (
     wire zero_is_attribute_12_bits = 10'd0 == in_attribute_12[9:0];
     wire [15:0] attribute_12_out_chosen = zero_is_attribute_12_bits ? {in_attribute_12[15], 15'h7bff} : 16'd0;
     wire [15:0] attribute_12_out = attribute_12_bits_is_31_d1 ? attribute_12_out_chosen_d1 : attribute_12_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? center_z_d1 : tangent2_z_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent2_x_d1 : center_z_d1) : phase[0] ? center_x_d1 : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent1_z_d1 : tangent2_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? tangent1_y_d1 : tangent1_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? center_y_d1 : in_center_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? tangent1_x_d1 : tangent1_y_d1) : in_center_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? tangent2_y_d1 : phase[0] ? tangent2_y_d1 : tangent2_x_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? add_f24_ftz_unit_a_choice : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? m03 : m20_times_tangent2_x_d1) : phase[0] ? m00_times_tangent2_x_d1 : m10_times_tangent1_x_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_a_choice;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? m23 : v2_z_sum_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? m12_times_tangent1_z_d1 : m02_times_tangent1_z_d1) : phase[0] ? m12_times_center_z_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : m22_times_tangent2_z_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? v2_y_sum_d1 : phase[0] ? v2_y_sum_d1 : add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? m22_times_tangent1_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? m12_times_tangent2_z_d1 : phase[0] ? m12_times_tangent2_z_d1 : m02_times_tangent2_z_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[0] ? m02 : m00;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? center_z_d1 : tangent1_z_d1) : phase[0] ? tangent1_z_d1 : tangent2_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? center_z_d1 : center_x_d1) : phase[0] ? tangent2_x_d1 : in_center_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? tangent2_y_d1 : tangent1_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? tangent1_z_d1 : tangent2_z_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? center_z_d1 : center_y_d1) : phase[0] ? tangent2_y_d1 : in_center_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? tangent2_z_d1 : phase[0] ? tangent2_x_d1 : tangent1_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? tangent1_x_d1 : center_x_d1) : in_tangent1_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? tangent2_z_d1 : center_y_d1) : in_tangent1_y;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? m23 : m00_times_tangent2_x_d1) : phase[0] ? m00_times_tangent1_x_d1 : m13;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : m02_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : u_y_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? (phase[0] ? v2_y_sum_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : m12_times_center_z_d1) : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? m12_times_tangent2_z_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : m02_times_tangent1_z_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? m03 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? u_x_sum_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? m22_times_tangent2_z_d1 : kept_chosen_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? kept_chosen_d1 : phase[0] ? m02_times_tangent2_z_d1 : m12_times_tangent1_z_d1;
 
     assign in_ready = load_0;
     assign {
@@ -8032,10 +9254,10 @@ module splat_transform (
     stream_skid_w441 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d4, u_x_d1, u_y_d1, u_z_d1, v1_x_d1, v1_y_d1, v1_z_d1, v2_x_d1, v2_y_d1, v2_z_d1,
-            attribute_0_out_d3, attribute_1_out_d3, attribute_2_out_d3, attribute_3_out_d3, attribute_4_out_d3,
-            attribute_5_out_d3, attribute_6_out_d3, attribute_7_out_d3, attribute_8_out_d3, attribute_9_out_d3,
-            attribute_10_out_d3, attribute_11_out_d3, attribute_12_out_d3, cardinal_0_d4
+            end_d5, u_x_d1, u_y_d1, u_z_d2, v1_x_d2, v1_y_d2, v1_z_d3, v2_x_d2, v2_y_d2, v2_z_d2,
+            attribute_0_out_d4, attribute_1_out_d4, attribute_2_out_d4, attribute_3_out_d4, attribute_4_out_d4,
+            attribute_5_out_d4, attribute_6_out_d4, attribute_7_out_d4, attribute_8_out_d4, attribute_9_out_d4,
+            attribute_10_out_d4, attribute_11_out_d4, attribute_12_out_d4, cardinal_0_d5
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -8076,8 +9298,13 @@ module splat_transform (
     );
 
     float_lt_s2_f24ftz lt_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(lt_f24_ftz_unit_a), .b(lt_f24_ftz_unit_b),
         .y(lt_f24_ftz_unit_y)
+    );
+
+    float_max_s2_f24ftz max_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a({1'd0, v1_z_d1[22:0]}),
+        .b({1'd0, add_f24_ftz_unit_copy3_y[22:0]}), .y(max_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
@@ -8091,7 +9318,8 @@ module splat_transform (
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
-            in_flight <= 4'd0;
+            delay_5_from_0_pointer <= 2'd0;
+            in_flight <= 5'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -8102,15 +9330,14 @@ module splat_transform (
             load_5 <= advance_next & (phase_next == 3'd5);
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) in_flight <= {in_flight[2:0], in_valid};
+            if (load_0) begin
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                in_flight <= {in_flight[3:0], in_valid};
+            end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            end_d1 <= in_end;
-            end_d2 <= end_d1;
-            end_d3 <= end_d2;
-            end_d4 <= end_d3;
             attribute_0_d1 <= in_attribute_0;
             attribute_1_d1 <= in_attribute_1;
             attribute_2_d1 <= in_attribute_2;
@@ -8124,22 +9351,21 @@ module splat_transform (
             attribute_10_d1 <= in_attribute_10;
             attribute_11_d1 <= in_attribute_11;
             attribute_12_d1 <= in_attribute_12;
-            cardinal_0_d1 <= in_cardinal_0;
-            cardinal_0_d2 <= cardinal_0_d1;
-            cardinal_0_d3 <= cardinal_0_d2;
-            cardinal_0_d4 <= cardinal_0_d3;
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
+            m02_times_center_z_d1 <= mul_f24_ftz_unit_y;
+            m12_times_center_z_d1 <= mul_f24_ftz_unit_copy2_y;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
+            m00_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy3_y;
             tangent2_x_d1 <= in_tangent2_x;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_z_d1 <= in_tangent2_z;
-            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
-            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            v2_y_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_x_d2 <= v2_x_d1;
+            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy4_y;
             attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
             attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
             attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
@@ -8167,92 +9393,124 @@ module splat_transform (
             attribute_12_bits_is_31_d1 <= attribute_12_bits_is_31;
             attribute_12_out_chosen_d1 <= attribute_12_out_chosen;
         end
+        if (load_5) begin
+            u_x_sum_d1 <= add_f24_ftz_unit_y;
+            u_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            near_plane_below_u_z_d1 <= lt_f24_ftz_unit_y;
+        end
+        if (load_6) begin
+            u_x_d1 <= add_f24_ftz_unit_copy3_y;
+            kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
+            kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
+        end
         if (load_7) begin
-            m12_times_center_z_d1 <= mul_f24_ftz_unit_y;
-            m10_times_tangent1_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            v2_x_d1 <= add_f24_ftz_unit_copy3_y;
+            u_y_d1 <= add_f24_ftz_unit_y;
+            v1_x_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_x_d2 <= v1_x_d1;
+            v1_y_d1 <= add_f24_ftz_unit_copy3_y;
+            v1_y_d2 <= v1_y_d1;
+            kept_chosen_d1 <= kept_chosen_copy3;
         end
         if (load_2) begin
-            u_x_d1 <= add_f24_ftz_unit_y;
-            u_z_d1 <= add_f24_ftz_unit_copy2_y;
+            u_z_d1 <= add_f24_ftz_unit_y;
+            u_z_d2 <= u_z_d1;
             m02_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
-            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            m22_times_tangent1_z_d1 <= mul_f24_ftz_unit_copy3_y;
+            v2_y_d1 <= add_f24_ftz_unit_copy2_y;
+            v2_y_d2 <= v2_y_d1;
         end
         if (load_3) begin
-            u_y_d1 <= add_f24_ftz_unit_copy3_y;
-            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_y;
-            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
-            m22_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
-        end
-        if (load_5) v1_x_d1 <= add_f24_ftz_unit_copy2_y;
-        if (load_6) begin
-            v1_y_d1 <= add_f24_ftz_unit_copy2_y;
-            v1_z_d1 <= add_f24_ftz_unit_copy3_y;
+            m12_times_tangent1_z_d1 <= mul_f24_ftz_unit_y;
+            v1_z_d1 <= add_f24_ftz_unit_copy2_y;
+            v1_z_d2 <= v1_z_d1;
+            v1_z_d3 <= v1_z_d2;
+            m02_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy2_y;
+            m12_times_tangent2_z_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_1) begin
-            m20_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            v2_z_sum_d1 <= add_f24_ftz_unit_y;
-            v2_z_d1 <= add_f24_ftz_unit_copy2_y;
+            m00_times_tangent2_x_d1 <= mul_f24_ftz_unit_y;
+            v2_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (load_4) begin
+            v2_z_d1 <= add_f24_ftz_unit_copy3_y;
+            v2_z_d2 <= v2_z_d1;
             attribute_0_out_d1 <= attribute_0_out;
             attribute_0_out_d2 <= attribute_0_out_d1;
             attribute_0_out_d3 <= attribute_0_out_d2;
+            attribute_0_out_d4 <= attribute_0_out_d3;
             attribute_1_out_d1 <= attribute_1_out;
             attribute_1_out_d2 <= attribute_1_out_d1;
             attribute_1_out_d3 <= attribute_1_out_d2;
+            attribute_1_out_d4 <= attribute_1_out_d3;
             attribute_2_out_d1 <= attribute_2_out;
             attribute_2_out_d2 <= attribute_2_out_d1;
             attribute_2_out_d3 <= attribute_2_out_d2;
+            attribute_2_out_d4 <= attribute_2_out_d3;
             attribute_3_out_d1 <= attribute_3_out;
             attribute_3_out_d2 <= attribute_3_out_d1;
             attribute_3_out_d3 <= attribute_3_out_d2;
+            attribute_3_out_d4 <= attribute_3_out_d3;
             attribute_4_out_d1 <= attribute_4_out;
             attribute_4_out_d2 <= attribute_4_out_d1;
             attribute_4_out_d3 <= attribute_4_out_d2;
+            attribute_4_out_d4 <= attribute_4_out_d3;
             attribute_5_out_d1 <= attribute_5_out;
             attribute_5_out_d2 <= attribute_5_out_d1;
             attribute_5_out_d3 <= attribute_5_out_d2;
+            attribute_5_out_d4 <= attribute_5_out_d3;
             attribute_6_out_d1 <= attribute_6_out;
             attribute_6_out_d2 <= attribute_6_out_d1;
             attribute_6_out_d3 <= attribute_6_out_d2;
+            attribute_6_out_d4 <= attribute_6_out_d3;
             attribute_7_out_d1 <= attribute_7_out;
             attribute_7_out_d2 <= attribute_7_out_d1;
             attribute_7_out_d3 <= attribute_7_out_d2;
+            attribute_7_out_d4 <= attribute_7_out_d3;
             attribute_8_out_d1 <= attribute_8_out;
             attribute_8_out_d2 <= attribute_8_out_d1;
             attribute_8_out_d3 <= attribute_8_out_d2;
+            attribute_8_out_d4 <= attribute_8_out_d3;
             attribute_9_out_d1 <= attribute_9_out;
             attribute_9_out_d2 <= attribute_9_out_d1;
             attribute_9_out_d3 <= attribute_9_out_d2;
+            attribute_9_out_d4 <= attribute_9_out_d3;
             attribute_10_out_d1 <= attribute_10_out;
             attribute_10_out_d2 <= attribute_10_out_d1;
             attribute_10_out_d3 <= attribute_10_out_d2;
+            attribute_10_out_d4 <= attribute_10_out_d3;
             attribute_11_out_d1 <= attribute_11_out;
             attribute_11_out_d2 <= attribute_11_out_d1;
             attribute_11_out_d3 <= attribute_11_out_d2;
+            attribute_11_out_d4 <= attribute_11_out_d3;
             attribute_12_out_d1 <= attribute_12_out;
             attribute_12_out_d2 <= attribute_12_out_d1;
             attribute_12_out_d3 <= attribute_12_out_d2;
+            attribute_12_out_d4 <= attribute_12_out_d3;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? tangent2_z_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy3_b_choice;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : phase[1] ? mul_f24_ftz_unit_copy2_b_choice_3 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_a_choice_3;
+            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : mul_f24_ftz_unit_a_choice) : phase[1] ? mul_f24_ftz_unit_a_choice : m20;
+            mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m02) : m01) : phase[1] ? (phase[0] ? m12 : m01) : m21;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m12 : m10) : phase[1] ? (phase[0] ? m00 : m10) : m20;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? m11 : phase[1] ? (phase[0] ? m22 : m11) : m21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? (phase[1] ? tangent2_y_d1 : mul_f24_ftz_unit_copy2_b_choice) : mul_f24_ftz_unit_copy4_b_choice;
+            add_f24_ftz_unit_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice) : add_f24_ftz_unit_a_choice_2;
             add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_2;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_3;
             add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
             add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
             add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+            lt_f24_ftz_unit_a <= near_plane;
+            lt_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_y : phase[1] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
         end
     end
+    always @(posedge clk) begin
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {in_cardinal_0, in_end};
+        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, max_f24_ftz_unit_y[23]};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -8293,6 +9551,31 @@ module splat_transform (
 `endif
     end
 `endif
+endmodule
+
+// Greater of two floating-point numbers.
+// stages = 2
+// format = f24-ftz
+module float_max_s2_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
+
+    wire [14:0] a_nan_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] b_nan_s1_both = b[14:0] & {15{|b[22:15]}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_nan_s1 <= &a[22:15] & |a_nan_s1_both;
+            b_nan_s1 <= &b[22:15] & |b_nan_s1_both;
+            less_s1 <= {~a[23], {a[22:15], a_nan_s1_both} ^ {23{a[23]}}} < {~b[23], {b[22:15], b_nan_s1_both} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], a_nan_s1_both};
+            b_s1 <= {b[23:15], b_nan_s1_both};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
+        end
+    end
 endmodule
 
 // Whether one floating-point number is less than another.

@@ -115,6 +115,9 @@ module splat_top (
     wire setup_in_ready, setup_out_valid, setup_out_end;
     wire [31:0] setup_out_center_x, setup_out_center_y, setup_out_ax, setup_out_bx, setup_out_ay, setup_out_by;
     wire [31:0] setup_out_delta, setup_out_mx, setup_out_my;
+    wire setup_out_sight_negative;
+    wire [30:0] setup_out_sight_near, setup_out_sight_far;
+    wire setup_out_sight_turned, setup_out_sight_disc;
     wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2, setup_out_attribute_3;
     wire [15:0] setup_out_attribute_4, setup_out_attribute_5, setup_out_attribute_6, setup_out_attribute_7;
@@ -124,6 +127,9 @@ module splat_top (
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [31:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
     wire [31:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
+    wire splitter_out_sight_negative;
+    wire [30:0] splitter_out_sight_near, splitter_out_sight_far;
+    wire splitter_out_sight_turned, splitter_out_sight_disc;
     wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [15:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
     wire [15:0] splitter_out_attribute_3, splitter_out_attribute_4, splitter_out_attribute_5;
@@ -135,6 +141,9 @@ module splat_top (
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [31:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
     wire [31:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my;
+    wire reorder_out_sight_negative;
+    wire [30:0] reorder_out_sight_near, reorder_out_sight_far;
+    wire reorder_out_sight_turned, reorder_out_sight_disc;
     wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
     wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2, reorder_out_attribute_3;
     wire [15:0] reorder_out_attribute_4, reorder_out_attribute_5, reorder_out_attribute_6, reorder_out_attribute_7;
@@ -145,6 +154,9 @@ module splat_top (
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [31:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
     wire [31:0] tile_cache_out_ay, tile_cache_out_by, tile_cache_out_delta, tile_cache_out_mx, tile_cache_out_my;
+    wire tile_cache_out_sight_negative;
+    wire [30:0] tile_cache_out_sight_near, tile_cache_out_sight_far;
+    wire tile_cache_out_sight_turned, tile_cache_out_sight_disc;
     wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
     wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [15:0] tile_cache_out_attribute_3, tile_cache_out_attribute_4, tile_cache_out_attribute_5;
@@ -256,59 +268,66 @@ module splat_top (
         .in_attribute_8(transform_out_attribute_8), .in_attribute_9(transform_out_attribute_9),
         .in_attribute_10(transform_out_attribute_10), .in_attribute_11(transform_out_attribute_11),
         .in_attribute_12(transform_out_attribute_12), .in_cardinal_0(transform_out_cardinal_0),
+        .near_plane(uniform_near_plane),
         .filter_radius(uniform_filter_radius),
+        .depth_a(uniform_depth_a), .depth_b(uniform_depth_b),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
         .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
         .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
-        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_depth(setup_out_depth),
-        .out_depth_low(setup_out_depth_low), .out_depth_high(setup_out_depth_high),
-        .out_attribute_0(setup_out_attribute_0), .out_attribute_1(setup_out_attribute_1),
-        .out_attribute_2(setup_out_attribute_2), .out_attribute_3(setup_out_attribute_3),
-        .out_attribute_4(setup_out_attribute_4), .out_attribute_5(setup_out_attribute_5),
-        .out_attribute_6(setup_out_attribute_6), .out_attribute_7(setup_out_attribute_7),
-        .out_attribute_8(setup_out_attribute_8), .out_attribute_9(setup_out_attribute_9),
-        .out_attribute_10(setup_out_attribute_10), .out_attribute_11(setup_out_attribute_11),
-        .out_attribute_12(setup_out_attribute_12), .out_cardinal_0(setup_out_cardinal_0),
-        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
-        .out_bottom(setup_out_bottom)
+        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_sight_negative(setup_out_sight_negative),
+        .out_sight_near(setup_out_sight_near), .out_sight_far(setup_out_sight_far),
+        .out_sight_turned(setup_out_sight_turned), .out_sight_disc(setup_out_sight_disc),
+        .out_depth(setup_out_depth), .out_depth_low(setup_out_depth_low),
+        .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
+        .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
+        .out_attribute_3(setup_out_attribute_3), .out_attribute_4(setup_out_attribute_4),
+        .out_attribute_5(setup_out_attribute_5), .out_attribute_6(setup_out_attribute_6),
+        .out_attribute_7(setup_out_attribute_7), .out_attribute_8(setup_out_attribute_8),
+        .out_attribute_9(setup_out_attribute_9), .out_attribute_10(setup_out_attribute_10),
+        .out_attribute_11(setup_out_attribute_11), .out_attribute_12(setup_out_attribute_12),
+        .out_cardinal_0(setup_out_cardinal_0), .out_left(setup_out_left), .out_right(setup_out_right),
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
     );
 
     splat_splitter splitter (
         .clk(clk), .rst(rst), .in_valid(setup_out_valid), .in_ready(splitter_in_ready),
         .in_end(setup_out_end), .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y),
         .in_ax(setup_out_ax), .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by),
-        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
-        .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
-        .in_attribute_2(setup_out_attribute_2), .in_attribute_3(setup_out_attribute_3),
-        .in_attribute_4(setup_out_attribute_4), .in_attribute_5(setup_out_attribute_5),
-        .in_attribute_6(setup_out_attribute_6), .in_attribute_7(setup_out_attribute_7),
-        .in_attribute_8(setup_out_attribute_8), .in_attribute_9(setup_out_attribute_9),
-        .in_attribute_10(setup_out_attribute_10), .in_attribute_11(setup_out_attribute_11),
-        .in_attribute_12(setup_out_attribute_12), .in_cardinal_0(setup_out_cardinal_0),
-        .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
-        .in_bottom(setup_out_bottom),
+        .in_delta(setup_out_delta), .in_mx(setup_out_mx), .in_my(setup_out_my),
+        .in_sight_negative(setup_out_sight_negative), .in_sight_near(setup_out_sight_near),
+        .in_sight_far(setup_out_sight_far), .in_sight_turned(setup_out_sight_turned),
+        .in_sight_disc(setup_out_sight_disc), .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low),
+        .in_depth_high(setup_out_depth_high), .in_attribute_0(setup_out_attribute_0),
+        .in_attribute_1(setup_out_attribute_1), .in_attribute_2(setup_out_attribute_2),
+        .in_attribute_3(setup_out_attribute_3), .in_attribute_4(setup_out_attribute_4),
+        .in_attribute_5(setup_out_attribute_5), .in_attribute_6(setup_out_attribute_6),
+        .in_attribute_7(setup_out_attribute_7), .in_attribute_8(setup_out_attribute_8),
+        .in_attribute_9(setup_out_attribute_9), .in_attribute_10(setup_out_attribute_10),
+        .in_attribute_11(setup_out_attribute_11), .in_attribute_12(setup_out_attribute_12),
+        .in_cardinal_0(setup_out_cardinal_0), .in_left(setup_out_left), .in_right(setup_out_right),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
         .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
-        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
-        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
-        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
-        .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
-        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
-        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
-        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
-        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
-        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
-        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_tile(splitter_out_tile)
+        .out_sight_negative(splitter_out_sight_negative), .out_sight_near(splitter_out_sight_near),
+        .out_sight_far(splitter_out_sight_far), .out_sight_turned(splitter_out_sight_turned),
+        .out_sight_disc(splitter_out_sight_disc), .out_depth(splitter_out_depth),
+        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
+        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
+        .out_attribute_2(splitter_out_attribute_2), .out_attribute_3(splitter_out_attribute_3),
+        .out_attribute_4(splitter_out_attribute_4), .out_attribute_5(splitter_out_attribute_5),
+        .out_attribute_6(splitter_out_attribute_6), .out_attribute_7(splitter_out_attribute_7),
+        .out_attribute_8(splitter_out_attribute_8), .out_attribute_9(splitter_out_attribute_9),
+        .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
+        .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
+        .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -316,30 +335,36 @@ module splat_top (
         .in_end(splitter_out_end), .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y),
         .in_ax(splitter_out_ax), .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
         .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
-        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
-        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
-        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
-        .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
-        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
-        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
-        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
-        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
-        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
-        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_sight_negative(splitter_out_sight_negative), .in_sight_near(splitter_out_sight_near),
+        .in_sight_far(splitter_out_sight_far), .in_sight_turned(splitter_out_sight_turned),
+        .in_sight_disc(splitter_out_sight_disc), .in_depth(splitter_out_depth),
+        .in_depth_low(splitter_out_depth_low), .in_depth_high(splitter_out_depth_high),
+        .in_attribute_0(splitter_out_attribute_0), .in_attribute_1(splitter_out_attribute_1),
+        .in_attribute_2(splitter_out_attribute_2), .in_attribute_3(splitter_out_attribute_3),
+        .in_attribute_4(splitter_out_attribute_4), .in_attribute_5(splitter_out_attribute_5),
+        .in_attribute_6(splitter_out_attribute_6), .in_attribute_7(splitter_out_attribute_7),
+        .in_attribute_8(splitter_out_attribute_8), .in_attribute_9(splitter_out_attribute_9),
+        .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
+        .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
+        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
         .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
-        .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
-        .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
-        .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
-        .out_attribute_3(reorder_out_attribute_3), .out_attribute_4(reorder_out_attribute_4),
-        .out_attribute_5(reorder_out_attribute_5), .out_attribute_6(reorder_out_attribute_6),
-        .out_attribute_7(reorder_out_attribute_7), .out_attribute_8(reorder_out_attribute_8),
-        .out_attribute_9(reorder_out_attribute_9), .out_attribute_10(reorder_out_attribute_10),
-        .out_attribute_11(reorder_out_attribute_11), .out_attribute_12(reorder_out_attribute_12),
-        .out_cardinal_0(reorder_out_cardinal_0), .out_left(reorder_out_left), .out_right(reorder_out_right),
-        .out_top(reorder_out_top), .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_sight_negative(reorder_out_sight_negative), .out_sight_near(reorder_out_sight_near),
+        .out_sight_far(reorder_out_sight_far), .out_sight_turned(reorder_out_sight_turned),
+        .out_sight_disc(reorder_out_sight_disc), .out_depth(reorder_out_depth),
+        .out_depth_low(reorder_out_depth_low), .out_depth_high(reorder_out_depth_high),
+        .out_attribute_0(reorder_out_attribute_0), .out_attribute_1(reorder_out_attribute_1),
+        .out_attribute_2(reorder_out_attribute_2), .out_attribute_3(reorder_out_attribute_3),
+        .out_attribute_4(reorder_out_attribute_4), .out_attribute_5(reorder_out_attribute_5),
+        .out_attribute_6(reorder_out_attribute_6), .out_attribute_7(reorder_out_attribute_7),
+        .out_attribute_8(reorder_out_attribute_8), .out_attribute_9(reorder_out_attribute_9),
+        .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
+        .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -347,31 +372,37 @@ module splat_top (
         .in_end(reorder_out_end), .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y),
         .in_ax(reorder_out_ax), .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by),
         .in_delta(reorder_out_delta), .in_mx(reorder_out_mx), .in_my(reorder_out_my),
-        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
-        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
-        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
-        .in_attribute_3(reorder_out_attribute_3), .in_attribute_4(reorder_out_attribute_4),
-        .in_attribute_5(reorder_out_attribute_5), .in_attribute_6(reorder_out_attribute_6),
-        .in_attribute_7(reorder_out_attribute_7), .in_attribute_8(reorder_out_attribute_8),
-        .in_attribute_9(reorder_out_attribute_9), .in_attribute_10(reorder_out_attribute_10),
-        .in_attribute_11(reorder_out_attribute_11), .in_attribute_12(reorder_out_attribute_12),
-        .in_cardinal_0(reorder_out_cardinal_0), .in_left(reorder_out_left), .in_right(reorder_out_right),
-        .in_top(reorder_out_top), .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_sight_negative(reorder_out_sight_negative), .in_sight_near(reorder_out_sight_near),
+        .in_sight_far(reorder_out_sight_far), .in_sight_turned(reorder_out_sight_turned),
+        .in_sight_disc(reorder_out_sight_disc), .in_depth(reorder_out_depth),
+        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
+        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
+        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
+        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
+        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
+        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
+        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
+        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
+        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
         .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my), .out_depth(tile_cache_out_depth),
-        .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
-        .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
-        .out_attribute_2(tile_cache_out_attribute_2), .out_attribute_3(tile_cache_out_attribute_3),
-        .out_attribute_4(tile_cache_out_attribute_4), .out_attribute_5(tile_cache_out_attribute_5),
-        .out_attribute_6(tile_cache_out_attribute_6), .out_attribute_7(tile_cache_out_attribute_7),
-        .out_attribute_8(tile_cache_out_attribute_8), .out_attribute_9(tile_cache_out_attribute_9),
-        .out_attribute_10(tile_cache_out_attribute_10), .out_attribute_11(tile_cache_out_attribute_11),
-        .out_attribute_12(tile_cache_out_attribute_12), .out_cardinal_0(tile_cache_out_cardinal_0),
-        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
-        .out_bottom(tile_cache_out_bottom), .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_my(tile_cache_out_my), .out_sight_negative(tile_cache_out_sight_negative),
+        .out_sight_near(tile_cache_out_sight_near), .out_sight_far(tile_cache_out_sight_far),
+        .out_sight_turned(tile_cache_out_sight_turned), .out_sight_disc(tile_cache_out_sight_disc),
+        .out_depth(tile_cache_out_depth), .out_depth_low(tile_cache_out_depth_low),
+        .out_depth_high(tile_cache_out_depth_high), .out_attribute_0(tile_cache_out_attribute_0),
+        .out_attribute_1(tile_cache_out_attribute_1), .out_attribute_2(tile_cache_out_attribute_2),
+        .out_attribute_3(tile_cache_out_attribute_3), .out_attribute_4(tile_cache_out_attribute_4),
+        .out_attribute_5(tile_cache_out_attribute_5), .out_attribute_6(tile_cache_out_attribute_6),
+        .out_attribute_7(tile_cache_out_attribute_7), .out_attribute_8(tile_cache_out_attribute_8),
+        .out_attribute_9(tile_cache_out_attribute_9), .out_attribute_10(tile_cache_out_attribute_10),
+        .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
+        .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
+        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -433,7 +464,10 @@ module splat_top (
         .in_end(tile_cache_out_end), .in_center_x(tile_cache_out_center_x),
         .in_center_y(tile_cache_out_center_y), .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx),
         .in_ay(tile_cache_out_ay), .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth),
+        .in_mx(tile_cache_out_mx), .in_my(tile_cache_out_my),
+        .in_sight_negative(tile_cache_out_sight_negative), .in_sight_near(tile_cache_out_sight_near),
+        .in_sight_far(tile_cache_out_sight_far), .in_sight_turned(tile_cache_out_sight_turned),
+        .in_sight_disc(tile_cache_out_sight_disc), .in_depth(tile_cache_out_depth),
         .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
         .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
         .in_attribute_2(tile_cache_out_attribute_2), .in_attribute_3(tile_cache_out_attribute_3),
@@ -2649,6 +2683,11 @@ module splat_rasterizer (
     input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [31:0] in_mx,  // `m` in x.
     input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -2714,6 +2753,11 @@ module splat_rasterizer (
     reg [31:0] delta;  // The determinant of `A` and `B`.
     reg [31:0] mx;  // `m` in x.
     reg [31:0] my;  // `m` in y.
+    reg sight_negative;  // `D` is negative before the eye.
+    reg [30:0] sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [30:0] sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
 
     wire evaluation_in_ready, shared_in_ready, shared_out_valid;
     wire [295:0] shared_out_data;
@@ -2737,7 +2781,9 @@ module splat_rasterizer (
         .clk(clk), .rst(rst), .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end),
         .in_last(is_last & ~is_end), .in_slot(slot), .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}), .in_center_x(center_x), .in_center_y(center_y), .in_ax(ax), .in_bx(bx),
-        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my),
+        .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx), .in_my(my), .in_sight_negative(sight_negative),
+        .in_sight_near(sight_near), .in_sight_far(sight_far), .in_sight_turned(sight_turned),
+        .in_sight_disc(sight_disc),
         .filter_scale(filter_scale),
         .out_valid(out_valid), .out_ready(out_ready), .out_end(out_end), .out_last(out_last),
         .out_inside(out_inside), .out_slot(out_slot), .out_pixel(out_pixel), .out_weight(out_weight)
@@ -2788,6 +2834,11 @@ module splat_rasterizer (
             delta <= in_delta;
             mx <= in_mx;
             my <= in_my;
+            sight_negative <= in_sight_negative;
+            sight_near <= in_sight_near;
+            sight_far <= in_sight_far;
+            sight_turned <= in_sight_turned;
+            sight_disc <= in_sight_disc;
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
@@ -2856,7 +2907,7 @@ module stream_fifo_d64_w296 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 68
+// latency = 74
 // initiation_interval = 1
 module splat_evaluation (
     input  wire clk, input wire rst,
@@ -2865,6 +2916,8 @@ module splat_evaluation (
     input  wire [31:0] in_center_x, input wire [31:0] in_center_y, input wire [31:0] in_ax,
     input  wire [31:0] in_bx, input wire [31:0] in_ay, input wire [31:0] in_by,
     input  wire [31:0] in_delta, input wire [31:0] in_mx, input wire [31:0] in_my,
+    input  wire in_sight_negative, input wire [30:0] in_sight_near, input wire [30:0] in_sight_far,
+    input  wire in_sight_turned, input wire in_sight_disc,
     input  wire [31:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
     output wire out_inside, output wire [1:0] out_slot, output wire [5:0] out_pixel,
@@ -2873,46 +2926,46 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg [3:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_6_from_0 [0:4];
+    reg [127:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
     reg [191:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_12_from_0 [0:10];
-    (* ram_style = "distributed" *)
     reg [31:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg delay_33_from_0 [0:31];
+    reg delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_34_from_0 [0:32];
+    reg [63:0] delay_26_from_0 [0:24];
     (* ram_style = "distributed" *)
-    reg delay_62_from_0 [0:60];
+    reg delay_38_from_0 [0:36];
     (* ram_style = "distributed" *)
-    reg delay_63_from_0 [0:61];
+    reg [31:0] delay_40_from_0 [0:38];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
-    reg [31:0] delay_6_from_0_out;
+    reg [127:0] delay_6_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [191:0] delay_9_from_0_out;
-    reg [3:0] delay_12_from_0_pointer;
-    reg delay_12_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
     reg [31:0] delay_14_from_0_out;
-    reg [4:0] delay_33_from_0_pointer;
-    reg delay_33_from_0_out;
-    reg [5:0] delay_34_from_0_pointer;
-    reg [31:0] delay_34_from_0_out;
-    reg [5:0] delay_62_from_0_pointer;
-    reg delay_62_from_0_out;
-    reg [5:0] delay_63_from_0_pointer;
-    reg delay_63_from_0_out;
+    reg [4:0] delay_25_from_0_pointer;
+    reg delay_25_from_0_out;
+    reg [4:0] delay_26_from_0_pointer;
+    reg [63:0] delay_26_from_0_out;
+    reg [5:0] delay_38_from_0_pointer;
+    reg delay_38_from_0_out;
+    reg [5:0] delay_40_from_0_pointer;
+    reg [31:0] delay_40_from_0_out;
     reg [6:0] delay_68_from_0_pointer;
-    wire [7:0] delay_68_from_0_out;
-    reg end_d63;
+    wire delay_68_from_0_out;
+    reg [6:0] delay_69_from_0_pointer;
+    wire delay_69_from_0_out;
+    reg [6:0] delay_74_from_0_pointer;
+    wire [7:0] delay_74_from_0_out;
+    reg end_d69;
     reg [31:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
     reg [31:0] minus_center_y_d3;
-    reg not_end_d1;
-    reg [67:0] in_flight;
+    reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
+    reg [73:0] in_flight;
 
     wire [26:0] queue_out_data;
     wire [31:0] to_float_u10q1_f32_ftz_unit_y, to_float_u10q1_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y;
@@ -2927,35 +2980,61 @@ module splat_evaluation (
     wire [15:0] to_fixed_f32_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
 
     wire end_or_last_or_inside_out_d5 = delay_5_from_0_out[3];
-    wire end_d68 = delay_5_from_0_out[0];
-    wire last_d68 = delay_5_from_0_out[1];
+    wire end_d74 = delay_5_from_0_out[0];
+    wire last_d74 = delay_5_from_0_out[1];
     wire inside_out_d5 = delay_5_from_0_out[2];
-    wire [1:0] slot_d68 = delay_68_from_0_out[1:0];
-    wire [5:0] pixel_out_d68 = delay_68_from_0_out[7:2];
+    wire [1:0] slot_d74 = delay_74_from_0_out[1:0];
+    wire [5:0] pixel_out_d74 = delay_74_from_0_out[7:2];
+    wire [31:0] y_times_my_d6 = delay_6_from_0_out[63:32];
+    wire [31:0] s2_squared_d6 = delay_6_from_0_out[95:64];
     wire [31:0] ay_d9 = delay_9_from_0_out[31:0];
     wire [31:0] ax_d9 = delay_9_from_0_out[63:32];
     wire [31:0] by_d9 = delay_9_from_0_out[95:64];
     wire [31:0] bx_d9 = delay_9_from_0_out[127:96];
     wire [31:0] mx_d9 = delay_9_from_0_out[159:128];
     wire [31:0] my_d9 = delay_9_from_0_out[191:160];
-    wire [31:0] rho_squared_chosen = delay_33_from_0_out ? 32'h7f800000 : div_f32_ftz_unit_y;
-    wire not_end = ~delay_62_from_0_out;
+    wire sight_turned_d26 = delay_26_from_0_out[63];
+    wire [31:0] s1_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] rho_squared_chosen = sight_turned_d26 ? add_f32_ftz_unit_copy6_y : s1_d6;
+    wire [31:0] rho_squared_chosen_copy2 = sight_turned_d26 ? s1_d6 : add_f32_ftz_unit_copy6_y;
+    wire [31:0] rho_squared_chosen_squared_d6 = delay_6_from_0_out[127:96];
+    wire [31:0] rho_squared_chosen_copy3 = delay_38_from_0_out ? div_f32_ftz_unit_y : 32'h7f800000;
+    wire sight_negative_d26 = delay_26_from_0_out[0];
+    wire rho_squared_unequal = sight_negative_d26 ^ rho_squared_chosen_copy2[31];
+    wire not_rho_squared_unequal = ~rho_squared_unequal;
+    wire [30:0] sight_near_d26 = delay_26_from_0_out[31:1];
+    wire rho_squared_in_order = ~(sight_near_d26 < rho_squared_chosen_copy2[30:0]);
+    wire [30:0] sight_far_d26 = delay_26_from_0_out[62:32];
+    wire rho_squared_in_order_copy2 = ~(rho_squared_chosen_copy2[30:0] < sight_far_d26);
+    wire not_end = ~delay_68_from_0_out;
     wire inside_out = lt_f32_ftz_unit_y & not_end_d1;
-    wire last_or_inside_out = delay_63_from_0_out | inside_out;
-    wire end_or_last_or_inside_out = end_d63 | last_or_inside_out;
-    wire rho_squared_unequal = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
+    wire last_or_inside_out = delay_69_from_0_out | inside_out;
+    wire end_or_last_or_inside_out = end_d69 | last_or_inside_out;
+    wire rho_squared_both = not_rho_squared_unequal_d1 & rho_squared_in_order_d1;
+    wire rho_squared_both_copy2 = rho_squared_both & rho_squared_in_order_d1_copy2;
+    wire [31:0] rho_squared_chosen_copy4 = delay_25_from_0_out ? mul_f32_ftz_unit_copy12_y : 32'h7f800000;
 
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
-    memory_1w1r #(.WIDTH(8), .DEPTH(67)) delay_68_from_0 (
-        .clk(clk), .write(in_ready), .write_address(delay_68_from_0_pointer),
-        .write_data({in_row[2:0], in_column[2:0], in_slot}),
+    memory_1w1r #(.WIDTH(1), .DEPTH(67)) delay_68_from_0 (
+        .clk(clk), .write(in_ready), .write_address(delay_68_from_0_pointer), .write_data(in_end),
         .read(in_ready), .read_address(delay_68_from_0_pointer), .read_data(delay_68_from_0_out)
     );
 
+    memory_1w1r #(.WIDTH(1), .DEPTH(68)) delay_69_from_0 (
+        .clk(clk), .write(in_ready), .write_address(delay_69_from_0_pointer), .write_data(in_last),
+        .read(in_ready), .read_address(delay_69_from_0_pointer), .read_data(delay_69_from_0_out)
+    );
+
+    memory_1w1r #(.WIDTH(8), .DEPTH(73)) delay_74_from_0 (
+        .clk(clk), .write(in_ready), .write_address(delay_74_from_0_pointer),
+        .write_data({in_row[2:0], in_column[2:0], in_slot}),
+        .read(in_ready), .read_address(delay_74_from_0_pointer), .read_data(delay_74_from_0_out)
+    );
+
     stream_skid_w27 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[67] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
-        .in_data({end_d68, last_d68, inside_out_d5, slot_d68, pixel_out_d68, interpolate_8_8_16_unit_y}),
+        .clk(clk), .rst(rst), .in_valid(in_flight[73] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
+        .in_data({end_d74, last_d74, inside_out_d5, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
@@ -2993,12 +3072,12 @@ module splat_evaluation (
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy5_y), .b(y_times_my_d6),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(s2_squared_d6),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
@@ -3032,7 +3111,7 @@ module splat_evaluation (
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(rho_squared_chosen),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
@@ -3042,7 +3121,7 @@ module splat_evaluation (
     );
 
     float_mul_s5_f32ftz mul_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy2), .b(rho_squared_chosen_copy2),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
@@ -3062,12 +3141,13 @@ module splat_evaluation (
     );
 
     float_div_s28_f32ftz div_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy9_y),
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy7_y), .b(rho_squared_chosen_squared_d6),
         .y(div_f32_ftz_unit_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(rho_squared_chosen), .b(delay_34_from_0_out), .y(min_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(rho_squared_chosen_copy3), .b(delay_40_from_0_out),
+        .y(min_f32_ftz_unit_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
@@ -3087,48 +3167,58 @@ module splat_evaluation (
             delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
-            delay_12_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
-            delay_33_from_0_pointer <= 5'd0;
-            delay_34_from_0_pointer <= 6'd0;
-            delay_62_from_0_pointer <= 6'd0;
-            delay_63_from_0_pointer <= 6'd0;
+            delay_25_from_0_pointer <= 5'd0;
+            delay_26_from_0_pointer <= 5'd0;
+            delay_38_from_0_pointer <= 6'd0;
+            delay_40_from_0_pointer <= 6'd0;
             delay_68_from_0_pointer <= 7'd0;
-            in_flight <= 68'd0;
+            delay_69_from_0_pointer <= 7'd0;
+            delay_74_from_0_pointer <= 7'd0;
+            in_flight <= 74'd0;
         end else if (in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-            delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
             delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
-            delay_33_from_0_pointer <= (delay_33_from_0_pointer == 5'd31) ? (delay_33_from_0_pointer - 5'd31) : (delay_33_from_0_pointer + 5'd1);
-            delay_34_from_0_pointer <= (delay_34_from_0_pointer == 6'd32) ? (delay_34_from_0_pointer - 6'd32) : (delay_34_from_0_pointer + 6'd1);
-            delay_62_from_0_pointer <= (delay_62_from_0_pointer == 6'd60) ? (delay_62_from_0_pointer - 6'd60) : (delay_62_from_0_pointer + 6'd1);
-            delay_63_from_0_pointer <= (delay_63_from_0_pointer == 6'd61) ? (delay_63_from_0_pointer - 6'd61) : (delay_63_from_0_pointer + 6'd1);
+            delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+            delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
+            delay_38_from_0_pointer <= (delay_38_from_0_pointer == 6'd36) ? (delay_38_from_0_pointer - 6'd36) : (delay_38_from_0_pointer + 6'd1);
+            delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
             delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
-            in_flight <= {in_flight[66:0], in_valid};
+            delay_69_from_0_pointer <= (delay_69_from_0_pointer == 7'd67) ? (delay_69_from_0_pointer - 7'd67) : (delay_69_from_0_pointer + 7'd1);
+            delay_74_from_0_pointer <= (delay_74_from_0_pointer == 7'd72) ? (delay_74_from_0_pointer - 7'd72) : (delay_74_from_0_pointer + 7'd1);
+            in_flight <= {in_flight[72:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            end_d63 <= delay_62_from_0_out;
+            end_d69 <= delay_68_from_0_out;
             minus_center_x_d1 <= {~in_center_x[31], in_center_x[30:0]};
             minus_center_x_d2 <= minus_center_x_d1;
             minus_center_x_d3 <= minus_center_x_d2;
             minus_center_y_d1 <= {~in_center_y[31], in_center_y[30:0]};
             minus_center_y_d2 <= minus_center_y_d1;
             minus_center_y_d3 <= minus_center_y_d2;
+            not_rho_squared_unequal_d1 <= not_rho_squared_unequal;
+            rho_squared_in_order_d1 <= rho_squared_in_order;
+            rho_squared_in_order_d1_copy2 <= rho_squared_in_order_copy2;
             not_end_d1 <= not_end;
         end
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_63_from_0_out, end_d63};
+            delay_5_from_0[delay_5_from_0_pointer] <= {end_or_last_or_inside_out, inside_out, delay_69_from_0_out, end_d69};
         end
         if (in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
+        if (in_ready) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {
+                mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy6_y,
+                add_f32_ftz_unit_copy3_y
+            };
+        end
         if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -3138,28 +3228,26 @@ module splat_evaluation (
         if (in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_14_from_0_out[31];
-        if (in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
-    end
-    always @(posedge clk) begin
         if (in_ready) delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
         if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_33_from_0[delay_33_from_0_pointer] <= rho_squared_unequal;
-        if (in_ready) delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
+        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= in_sight_disc;
+        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_34_from_0[delay_34_from_0_pointer] <= mul_f32_ftz_unit_copy12_y;
-        if (in_ready) delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
+        if (in_ready) begin
+            delay_26_from_0[delay_26_from_0_pointer] <= {in_sight_turned, in_sight_far, in_sight_near, in_sight_negative};
+        end
+        if (in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_62_from_0[delay_62_from_0_pointer] <= in_end;
-        if (in_ready) delay_62_from_0_out <= delay_62_from_0[delay_62_from_0_pointer];
+        if (in_ready) delay_38_from_0[delay_38_from_0_pointer] <= rho_squared_both_copy2;
+        if (in_ready) delay_38_from_0_out <= delay_38_from_0[delay_38_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_63_from_0[delay_63_from_0_pointer] <= in_last;
-        if (in_ready) delay_63_from_0_out <= delay_63_from_0[delay_63_from_0_pointer];
+        if (in_ready) delay_40_from_0[delay_40_from_0_pointer] <= rho_squared_chosen_copy4;
+        if (in_ready) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
     end
 endmodule
 
@@ -4005,6 +4093,11 @@ module splat_tile_cache (
     input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [31:0] in_mx,  // `m` in x.
     input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -4038,6 +4131,11 @@ module splat_tile_cache (
     output wire [31:0] out_delta,  // The determinant of `A` and `B`.
     output wire [31:0] out_mx,  // `m` in x.
     output wire [31:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4178,6 +4276,11 @@ module splat_tile_cache (
     reg [31:0] head_delta;  // The determinant of `A` and `B`.
     reg [31:0] head_mx;  // `m` in x.
     reg [31:0] head_my;  // `m` in y.
+    reg head_sight_negative;  // `D` is negative before the eye.
+    reg [30:0] head_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [30:0] head_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg head_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg head_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] head_depth;  // Depth.
     reg [23:0] head_depth_low;  // What is nearer hides the splat.
     reg [23:0] head_depth_high;  // What is farther is hidden by the splat.
@@ -4235,9 +4338,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [608:0] in_queue_out_data;
+    wire [673:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [610:0] out_queue_out_data;
+    wire [675:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -4278,16 +4381,21 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[608];
-    wire [31:0] in_queue_out_center_x = in_queue_out_data[607:576];
-    wire [31:0] in_queue_out_center_y = in_queue_out_data[575:544];
-    wire [31:0] in_queue_out_ax = in_queue_out_data[543:512];
-    wire [31:0] in_queue_out_bx = in_queue_out_data[511:480];
-    wire [31:0] in_queue_out_ay = in_queue_out_data[479:448];
-    wire [31:0] in_queue_out_by = in_queue_out_data[447:416];
-    wire [31:0] in_queue_out_delta = in_queue_out_data[415:384];
-    wire [31:0] in_queue_out_mx = in_queue_out_data[383:352];
-    wire [31:0] in_queue_out_my = in_queue_out_data[351:320];
+    wire in_queue_out_end = in_queue_out_data[673];
+    wire [31:0] in_queue_out_center_x = in_queue_out_data[672:641];
+    wire [31:0] in_queue_out_center_y = in_queue_out_data[640:609];
+    wire [31:0] in_queue_out_ax = in_queue_out_data[608:577];
+    wire [31:0] in_queue_out_bx = in_queue_out_data[576:545];
+    wire [31:0] in_queue_out_ay = in_queue_out_data[544:513];
+    wire [31:0] in_queue_out_by = in_queue_out_data[512:481];
+    wire [31:0] in_queue_out_delta = in_queue_out_data[480:449];
+    wire [31:0] in_queue_out_mx = in_queue_out_data[448:417];
+    wire [31:0] in_queue_out_my = in_queue_out_data[416:385];
+    wire in_queue_out_sight_negative = in_queue_out_data[384];
+    wire [30:0] in_queue_out_sight_near = in_queue_out_data[383:353];
+    wire [30:0] in_queue_out_sight_far = in_queue_out_data[352:322];
+    wire in_queue_out_sight_turned = in_queue_out_data[321];
+    wire in_queue_out_sight_disc = in_queue_out_data[320];
     wire [23:0] in_queue_out_depth = in_queue_out_data[319:296];
     wire [23:0] in_queue_out_depth_low = in_queue_out_data[295:272];
     wire [23:0] in_queue_out_depth_high = in_queue_out_data[271:248];
@@ -4363,10 +4471,11 @@ module splat_tile_cache (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile, out_slot
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -4393,10 +4502,11 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w609 in_queue (
+    stream_half_buffer_w674 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
@@ -4405,15 +4515,15 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w611 out_queue (
+    stream_half_buffer_w676 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
-            head_my, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
-            head_attribute_2, head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6,
-            head_attribute_7, head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11,
-            head_attribute_12, head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile,
-            copy_slot
+            head_my, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned, head_sight_disc,
+            head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
+            head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
+            head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
+            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4524,6 +4634,11 @@ module splat_tile_cache (
             head_delta <= in_queue_out_delta;
             head_mx <= in_queue_out_mx;
             head_my <= in_queue_out_my;
+            head_sight_negative <= in_queue_out_sight_negative;
+            head_sight_near <= in_queue_out_sight_near;
+            head_sight_far <= in_queue_out_sight_far;
+            head_sight_turned <= in_queue_out_sight_turned;
+            head_sight_disc <= in_queue_out_sight_disc;
             head_depth <= in_queue_out_depth;
             head_depth_low <= in_queue_out_depth_low;
             head_depth_high <= in_queue_out_depth_high;
@@ -4709,14 +4824,14 @@ module stream_skid_w338 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 611
-module stream_half_buffer_w611 (
+// width = 676
+module stream_half_buffer_w676 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [610:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [610:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [675:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [675:0] out_data
 );
     reg full;
-    reg [610:0] item;
+    reg [675:0] item;
 
     assign in_ready = ~full;
 
@@ -4745,6 +4860,11 @@ module splat_reorder (
     input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [31:0] in_mx,  // `m` in x.
     input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -4778,6 +4898,11 @@ module splat_reorder (
     output wire [31:0] out_delta,  // The determinant of `A` and `B`.
     output wire [31:0] out_mx,  // `m` in x.
     output wire [31:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -4806,21 +4931,21 @@ module splat_reorder (
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [595:0] stage_payload;
+    wire [660:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [608:0] in_queue_out_data;
+    wire [673:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [608:0] out_queue_out_data;
+    wire [673:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [608:0] caught_out_data;
+    wire [673:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile, heap_out_pointer;
     wire heap_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[608];
+    wire in_queue_out_end = in_queue_out_data[673];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -4834,21 +4959,23 @@ module splat_reorder (
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(596), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[607:12]),
+    memory_1w1r_unordered #(.WIDTH(661), .DEPTH(4096), .SLICE(4)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[672:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w609 in_queue (
+    stream_half_buffer_w674 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
-            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
+            in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
@@ -4857,13 +4984,13 @@ module splat_reorder (
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w609 out_queue (
+    stream_half_buffer_w674 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w609 caught (
+    stream_half_buffer_w674 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -6219,6 +6346,11 @@ module splat_splitter (
     input  wire [31:0] in_delta,  // The determinant of `A` and `B`.
     input  wire [31:0] in_mx,  // `m` in x.
     input  wire [31:0] in_my,  // `m` in y.
+    input  wire in_sight_negative,  // `D` is negative before the eye.
+    input  wire [30:0] in_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    input  wire [30:0] in_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    input  wire in_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    input  wire in_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     input  wire [23:0] in_depth,  // Depth.
     input  wire [23:0] in_depth_low,  // What is nearer hides the splat.
     input  wire [23:0] in_depth_high,  // What is farther is hidden by the splat.
@@ -6251,6 +6383,11 @@ module splat_splitter (
     output wire [31:0] out_delta,  // The determinant of `A` and `B`.
     output wire [31:0] out_mx,  // `m` in x.
     output wire [31:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -6285,6 +6422,11 @@ module splat_splitter (
     reg [31:0] splat_delta;  // The determinant of `A` and `B`.
     reg [31:0] splat_mx;  // `m` in x.
     reg [31:0] splat_my;  // `m` in y.
+    reg splat_sight_negative;  // `D` is negative before the eye.
+    reg [30:0] splat_sight_near;  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    reg [30:0] splat_sight_far;  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    reg splat_sight_turned;  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    reg splat_sight_disc;  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     reg [23:0] splat_depth;  // Depth.
     reg [23:0] splat_depth_low;  // What is nearer hides the splat.
     reg [23:0] splat_depth_high;  // What is farther is hidden by the splat.
@@ -6309,7 +6451,7 @@ module splat_splitter (
     reg [5:0] column, row;
 
     wire out_queue_in_ready;
-    wire [608:0] out_queue_out_data;
+    wire [673:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
     wire right_most = column == splat_right[8:3];
@@ -6322,17 +6464,19 @@ module splat_splitter (
     assign in_ready = ready;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w609 out_queue (
+    stream_half_buffer_w674 out_queue (
         .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
-            splat_mx, splat_my, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
+            splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
+            splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
             splat_attribute_11, splat_attribute_12, splat_cardinal_0,
@@ -6369,6 +6513,11 @@ module splat_splitter (
             splat_delta <= in_delta;
             splat_mx <= in_mx;
             splat_my <= in_my;
+            splat_sight_negative <= in_sight_negative;
+            splat_sight_near <= in_sight_near;
+            splat_sight_far <= in_sight_far;
+            splat_sight_turned <= in_sight_turned;
+            splat_sight_disc <= in_sight_disc;
             splat_depth <= in_depth;
             splat_depth_low <= in_depth_low;
             splat_depth_high <= in_depth_high;
@@ -6395,14 +6544,14 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 609
-module stream_half_buffer_w609 (
+// width = 674
+module stream_half_buffer_w674 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [608:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [608:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [673:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [673:0] out_data
 );
     reg full;
-    reg [608:0] item;
+    reg [673:0] item;
 
     assign in_ready = ~full;
 
@@ -6417,7 +6566,7 @@ module stream_half_buffer_w609 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 158
+// latency = 168
 // initiation_interval = 2
 module splat_setup (
     input  wire clk, input wire rst,
@@ -6446,15 +6595,16 @@ module splat_setup (
     input  wire [15:0] in_attribute_11,  // Attributes.
     input  wire [15:0] in_attribute_12,  // Attributes.
     input  wire [15:0] in_cardinal_0,  // Attributes.
+    input  wire [31:0] near_plane,  // Near plane.
     input  wire [31:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [31:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [31:0] depth_b,  // See `depth_a`.
+    input  wire [31:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [31:0] epsilon_bias,  // Constant part.
     input  wire [31:0] scale_x,  // Scale (px).
     input  wire [31:0] origin_x,  // Where the optical axis meets the image (px).
     input  wire [31:0] scale_y,  // Scale (px).
     input  wire [31:0] origin_y,  // Where the optical axis meets the image (px).
-    input  wire [31:0] depth_b,  // See `depth_a`.
-    input  wire [31:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
-    input  wire [31:0] epsilon_scale,  // Scale of the splat's own depth range.
-    input  wire [31:0] epsilon_bias,  // Constant part.
     output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -6466,6 +6616,11 @@ module splat_setup (
     output wire [31:0] out_delta,  // The determinant of `A` and `B`.
     output wire [31:0] out_mx,  // `m` in x.
     output wire [31:0] out_my,  // `m` in y.
+    output wire out_sight_negative,  // `D` is negative before the eye.
+    output wire [30:0] out_sight_near,  // The magnitude of `D` at the near plane; all ones where no sample lies before it.
+    output wire [30:0] out_sight_far,  // The magnitude of `D` at the far plane; zero where no sample lies behind it.
+    output wire out_sight_turned,  // The origin is the vanishing point of a tangent: `s1` and `D` have changed places.
+    output wire out_sight_disc,  // The origin is the splat's centre, and lies between near and far plane: the filter's disc is drawn.
     output wire [23:0] out_depth,  // Depth.
     output wire [23:0] out_depth_low,  // What is nearer hides the splat.
     output wire [23:0] out_depth_high,  // What is farther is hidden by the splat.
@@ -6489,106 +6644,357 @@ module splat_setup (
     output wire [8:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
-    reg [31:0] delay_5_from_0 [0:3];
+    reg [32:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_10_from_0 [0:8];
+    reg [56:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_11_from_0 [0:9];
+    reg [1:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_12_from_0 [0:10];
+    reg [53:0] delay_8_from_0 [0:6];
+    (* ram_style = "distributed" *)
+    reg [10:0] delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg [373:0] delay_11_from_0 [0:9];
+    (* ram_style = "distributed" *)
+    reg [34:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
     reg [31:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [255:0] delay_15_from_0 [0:13];
+    reg [63:0] delay_15_from_0 [0:13];
     (* ram_style = "distributed" *)
-    reg [87:0] delay_17_from_0 [0:15];
+    reg [216:0] delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg delay_19_from_0 [0:17];
+    reg [64:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_20_from_0 [0:18];
+    reg [63:0] delay_24_from_0 [0:22];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_22_from_0 [0:20];
+    reg [10:0] delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_28_from_0 [0:26];
+    reg delay_30_from_0 [0:28];
     (* ram_style = "distributed" *)
-    reg delay_42_from_0 [0:40];
+    reg [31:0] delay_31_from_0 [0:29];
     (* ram_style = "distributed" *)
-    reg [96:0] delay_43_from_0 [0:41];
+    reg delay_35_from_0 [0:33];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_5_from_1 [0:3];
+    reg [1:0] delay_37_from_0 [0:35];
     (* ram_style = "distributed" *)
-    reg [79:0] delay_7_from_1 [0:5];
+    reg [31:0] delay_40_from_0 [0:38];
     (* ram_style = "distributed" *)
-    reg [159:0] delay_8_from_1 [0:6];
+    reg [64:0] delay_41_from_0 [0:39];
     (* ram_style = "distributed" *)
-    reg delay_17_from_1 [0:15];
+    reg [2:0] delay_44_from_0 [0:42];
     (* ram_style = "distributed" *)
-    reg delay_29_from_1 [0:27];
+    reg [2:0] delay_51_from_0 [0:49];
     (* ram_style = "distributed" *)
-    reg [127:0] delay_50_from_1 [0:48];
+    reg delay_57_from_0 [0:55];
+    (* ram_style = "distributed" *)
+    reg [56:0] delay_7_from_1 [0:5];
+    (* ram_style = "distributed" *)
+    reg [42:0] delay_8_from_1 [0:6];
+    (* ram_style = "distributed" *)
+    reg [43:0] delay_9_from_1 [0:7];
+    (* ram_style = "distributed" *)
+    reg [231:0] delay_10_from_1 [0:8];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_14_from_1 [0:12];
+    (* ram_style = "distributed" *)
+    reg delay_21_from_1 [0:19];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_26_from_1 [0:24];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_31_from_1 [0:29];
+    (* ram_style = "distributed" *)
+    reg [61:0] delay_34_from_1 [0:32];
+    (* ram_style = "distributed" *)
+    reg delay_37_from_1 [0:35];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_41_from_1 [0:39];
+    (* ram_style = "distributed" *)
+    reg [127:0] delay_42_from_1 [0:40];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_43_from_1 [0:41];
+    (* ram_style = "distributed" *)
+    reg [1:0] delay_51_from_1 [0:49];
     reg phase, load_0, load_1;
     reg [1:0] delay_5_from_0_pointer;
-    reg [31:0] delay_5_from_0_out;
-    reg [3:0] delay_10_from_0_pointer;
-    reg [31:0] delay_10_from_0_out;
+    reg [32:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [56:0] delay_6_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [1:0] delay_7_from_0_out;
+    reg [2:0] delay_8_from_0_pointer;
+    reg [53:0] delay_8_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [10:0] delay_9_from_0_out;
     reg [3:0] delay_11_from_0_pointer;
-    reg [63:0] delay_11_from_0_out;
+    reg [373:0] delay_11_from_0_out;
     reg [3:0] delay_12_from_0_pointer;
-    reg [63:0] delay_12_from_0_out;
+    reg [34:0] delay_12_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
     reg [31:0] delay_14_from_0_out;
     reg [3:0] delay_15_from_0_pointer;
-    reg [255:0] delay_15_from_0_out;
+    reg [63:0] delay_15_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
-    reg [87:0] delay_17_from_0_out;
-    reg [4:0] delay_19_from_0_pointer;
-    reg delay_19_from_0_out;
+    reg [216:0] delay_17_from_0_out;
     reg [4:0] delay_20_from_0_pointer;
-    reg [63:0] delay_20_from_0_out;
-    reg [4:0] delay_22_from_0_pointer;
-    reg [63:0] delay_22_from_0_out;
-    reg [4:0] delay_28_from_0_pointer;
-    reg [31:0] delay_28_from_0_out;
-    reg [5:0] delay_42_from_0_pointer;
-    reg delay_42_from_0_out;
-    reg [5:0] delay_43_from_0_pointer;
-    reg [96:0] delay_43_from_0_out;
-    reg [6:0] delay_79_from_0_pointer;
-    wire [224:0] delay_79_from_0_out;
-    reg [1:0] delay_5_from_1_pointer;
-    reg [31:0] delay_5_from_1_out;
+    reg [64:0] delay_20_from_0_out;
+    reg [4:0] delay_24_from_0_pointer;
+    reg [63:0] delay_24_from_0_out;
+    reg [4:0] delay_25_from_0_pointer;
+    reg [10:0] delay_25_from_0_out;
+    reg [4:0] delay_30_from_0_pointer;
+    reg delay_30_from_0_out;
+    reg [4:0] delay_31_from_0_pointer;
+    reg [31:0] delay_31_from_0_out;
+    reg [5:0] delay_35_from_0_pointer;
+    reg delay_35_from_0_out;
+    reg [5:0] delay_37_from_0_pointer;
+    reg [1:0] delay_37_from_0_out;
+    reg [5:0] delay_40_from_0_pointer;
+    reg [31:0] delay_40_from_0_out;
+    reg [5:0] delay_41_from_0_pointer;
+    reg [64:0] delay_41_from_0_out;
+    reg [5:0] delay_44_from_0_pointer;
+    reg [2:0] delay_44_from_0_out;
+    reg [5:0] delay_51_from_0_pointer;
+    reg [2:0] delay_51_from_0_out;
+    reg [5:0] delay_57_from_0_pointer;
+    reg delay_57_from_0_out;
+    reg [6:0] delay_84_from_0_pointer;
+    wire [224:0] delay_84_from_0_out;
     reg [2:0] delay_7_from_1_pointer;
-    reg [79:0] delay_7_from_1_out;
+    reg [56:0] delay_7_from_1_out;
     reg [2:0] delay_8_from_1_pointer;
-    reg [159:0] delay_8_from_1_out;
-    reg [3:0] delay_17_from_1_pointer;
-    reg delay_17_from_1_out;
-    reg [4:0] delay_29_from_1_pointer;
-    reg delay_29_from_1_out;
-    reg [5:0] delay_50_from_1_pointer;
-    reg [127:0] delay_50_from_1_out;
-    reg [31:0] q_d1, q_d2, q_d3, q_d4;
-    reg whole_d47, whole_d48, whole_d49;
-    reg [31:0] r_times_tangent1_x_d1, r_times_tangent1_x_d2, r_times_tangent1_x_d3, r_times_tangent1_x_d4, a_x_d1;
-    reg [31:0] r_times_tangent2_x_d1, r_times_tangent2_x_d2, r_times_tangent2_x_d3, r_times_tangent2_x_d4, b_x_d1;
-    reg [31:0] h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4;
-    reg [21:0] last_x_shifted_d1, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_lesser_d1;
+    reg [42:0] delay_8_from_1_out;
+    reg [2:0] delay_9_from_1_pointer;
+    reg [43:0] delay_9_from_1_out;
+    reg [3:0] delay_10_from_1_pointer;
+    reg [231:0] delay_10_from_1_out;
+    reg [3:0] delay_14_from_1_pointer;
+    reg [1:0] delay_14_from_1_out;
+    reg [4:0] delay_21_from_1_pointer;
+    reg delay_21_from_1_out;
+    reg [4:0] delay_26_from_1_pointer;
+    reg [31:0] delay_26_from_1_out;
+    reg [4:0] delay_31_from_1_pointer;
+    reg [31:0] delay_31_from_1_out;
+    reg [5:0] delay_34_from_1_pointer;
+    reg [61:0] delay_34_from_1_out;
+    reg [5:0] delay_37_from_1_pointer;
+    reg delay_37_from_1_out;
+    reg [5:0] delay_41_from_1_pointer;
+    reg [63:0] delay_41_from_1_out;
+    reg [5:0] delay_42_from_1_pointer;
+    reg [127:0] delay_42_from_1_out;
+    reg [5:0] delay_43_from_1_pointer;
+    reg [63:0] delay_43_from_1_out;
+    reg [5:0] delay_51_from_1_pointer;
+    reg [1:0] delay_51_from_1_out;
+    reg [6:0] delay_76_from_1_pointer;
+    wire delay_76_from_1_out;
+    reg [31:0] center_x_d1, center_x_d2, center_x_d3, center_y_d1, center_y_d2, center_y_d3, center_z_d1;
+    reg [31:0] center_z_d2, center_z_d3, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3, tangent1_y_d1, tangent1_y_d2;
+    reg [31:0] tangent1_y_d3, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, tangent2_x_d1, tangent2_x_d2;
+    reg [31:0] tangent2_x_d3, tangent2_y_d1, tangent2_y_d2, tangent2_y_d3, tangent2_z_d1, tangent2_z_d2;
+    reg [31:0] tangent2_z_d3;
+    reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
+    reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
+    reg first_x_both_d1;
+    reg [22:0] first_x_greater_bits_d1_copy2;
+    reg first_x_either_d1, first_x_greater_sign_d1;
+    reg [31:0] first_x_joined_d1;
+    reg [10:0] first_y_greater_bits_d1, first_y_greater_bits_plus_1_d1;
+    reg first_y_in_order_d1, first_y_inverted_d1, first_y_greater_bits_is_255_d1, first_y_in_order_d1_copy2;
+    reg first_y_both_d1;
+    reg [22:0] first_y_greater_bits_d1_copy2;
+    reg first_y_either_d1, first_y_greater_sign_d1;
+    reg [31:0] first_y_joined_d1;
+    reg [10:0] reaches_near_greater_bits_d1, reaches_near_sum_d1;
+    reg zero_below_reaches_near_sum_d1, not_reaches_near_same_d1, reaches_near_same_d1;
+    reg reaches_near_in_order_d1, reaches_near_both_d1;
+    reg [22:0] reaches_near_greater_bits_d1_copy2;
+    reg reaches_near_either_d1, reaches_near_greater_sign_d1;
+    reg [31:0] reaches_near_joined_d1;
+    reg swapped_d1, swapped_d2;
+    reg [10:0] turned_greater_d1, center_z_bits_plus_10_d1;
+    reg turned_in_order_d1, turned_either_d1, turned_either_d2;
+    reg [7:0] lowered_chosen_bits_d1;
+    reg [10:0] lowered_chosen_bits_d1_copy2, lowered_chosen_bits_d2, lowered_chosen_bits_d3;
+    reg [7:0] lowered_chosen_bits_d1_copy3;
+    reg [10:0] lowered_chosen_bits_d1_copy4, lowered_chosen_bits_d2_copy2, lowered_chosen_bits_d3_copy2;
+    reg [10:0] lowered_greater_d1;
+    reg [7:0] lowered_chosen_bits_d1_copy5;
+    reg [10:0] lowered_chosen_bits_d1_copy6, lowered_chosen_bits_d2_copy3, lowered_chosen_bits_d3_copy3;
+    reg [10:0] lowered_greater_d1_copy2;
+    reg [7:0] lowered_chosen_bits_d1_copy7;
+    reg [10:0] lowered_chosen_bits_d1_copy8, lowered_chosen_bits_d2_copy4, lowered_chosen_bits_d3_copy4;
+    reg [10:0] lowered_greater_d1_copy3;
+    reg [7:0] lowered_chosen_bits_d1_copy9;
+    reg [10:0] lowered_chosen_bits_d1_copy10, lowered_chosen_bits_d2_copy5, lowered_chosen_bits_d3_copy5;
+    reg [10:0] lowered_greater_d1_copy4;
+    reg [7:0] lowered_chosen_bits_d1_copy11;
+    reg [10:0] lowered_chosen_bits_d1_copy12, lowered_chosen_bits_d2_copy6, lowered_chosen_bits_d3_copy6;
+    reg [10:0] lowered_greater_d1_copy5;
+    reg [7:0] lowered_chosen_bits_d1_copy13;
+    reg [10:0] lowered_chosen_bits_plus_60_d1, lowered_chosen_bits_plus_60_d2, lowered_d1, lowered_d27;
+    reg a_x_inverted_d1, a_x_inverted_d2, a_x_inverted_d3, a_x_in_order_and_a_x_inverted_d1;
+    reg lowered_chosen_bits_is_255_d1;
+    reg [22:0] lowered_chosen_bits_d1_copy14, lowered_chosen_bits_d2_copy7, lowered_chosen_bits_d3_copy7;
+    reg [22:0] lowered_chosen_bits_d4;
+    reg [7:0] a_x_chosen_d1;
+    reg lowered_chosen_sign_d1, lowered_chosen_sign_d2, lowered_chosen_sign_d3, lowered_chosen_sign_d4;
+    reg a_y_inverted_d1, a_y_inverted_d2, a_y_inverted_d3, a_y_in_order_and_a_y_inverted_d1;
+    reg lowered_chosen_bits_is_255_d1_copy2;
+    reg [22:0] lowered_chosen_bits_d1_copy15, lowered_chosen_bits_d2_copy8, lowered_chosen_bits_d3_copy8;
+    reg [22:0] lowered_chosen_bits_d4_copy2;
+    reg [7:0] a_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy2, lowered_chosen_sign_d2_copy2, lowered_chosen_sign_d3_copy2;
+    reg lowered_chosen_sign_d4_copy2, alpha_inverted_d1, alpha_inverted_d2, alpha_inverted_d3, alpha_both_d1;
+    reg lowered_chosen_bits_is_255_d1_copy3;
+    reg [22:0] lowered_chosen_bits_d1_copy16, lowered_chosen_bits_d2_copy9, lowered_chosen_bits_d3_copy9;
+    reg [22:0] lowered_chosen_bits_d4_copy3;
+    reg [7:0] alpha_chosen_d1;
+    reg lowered_chosen_sign_d1_copy3, lowered_chosen_sign_d2_copy3, lowered_chosen_sign_d3_copy3;
+    reg lowered_chosen_sign_d4_copy3, b_x_inverted_d1, b_x_inverted_d2, b_x_inverted_d3;
+    reg b_x_in_order_and_b_x_inverted_d1, lowered_chosen_bits_is_255_d1_copy4;
+    reg [22:0] lowered_chosen_bits_d1_copy17, lowered_chosen_bits_d2_copy10, lowered_chosen_bits_d3_copy10;
+    reg [22:0] lowered_chosen_bits_d4_copy4;
+    reg [7:0] b_x_chosen_d1;
+    reg lowered_chosen_sign_d1_copy4, lowered_chosen_sign_d2_copy4, lowered_chosen_sign_d3_copy4;
+    reg lowered_chosen_sign_d4_copy4, b_y_inverted_d1, b_y_inverted_d2, b_y_inverted_d3;
+    reg b_y_in_order_and_b_y_inverted_d1, lowered_chosen_bits_is_255_d1_copy5;
+    reg [22:0] lowered_chosen_bits_d1_copy18, lowered_chosen_bits_d2_copy11, lowered_chosen_bits_d3_copy11;
+    reg [22:0] lowered_chosen_bits_d4_copy5;
+    reg [7:0] b_y_chosen_d1;
+    reg lowered_chosen_sign_d1_copy5, lowered_chosen_sign_d2_copy5, lowered_chosen_sign_d3_copy5;
+    reg lowered_chosen_sign_d4_copy5, beta_inverted_d1, beta_inverted_d2, beta_inverted_d3, beta_both_d1;
+    reg lowered_chosen_bits_is_255_d1_copy6;
+    reg [22:0] lowered_chosen_bits_d1_copy19, lowered_chosen_bits_d2_copy12, lowered_chosen_bits_d3_copy12;
+    reg [22:0] lowered_chosen_bits_d4_copy6;
+    reg [7:0] beta_chosen_d1;
+    reg lowered_chosen_sign_d1_copy6, lowered_chosen_sign_d2_copy6, lowered_chosen_sign_d3_copy6;
+    reg lowered_chosen_sign_d4_copy6, not_turned_d1, beyond_near_and_not_turned_d15;
+    reg beyond_near_and_not_turned_d16, beyond_near_and_not_turned_d17, beyond_near_and_not_turned_d18;
+    reg [31:0] reaches_near_sum_d1_copy2, alpha_d12, alpha_d13, beta_d12, beta_d13, e_d1, e_d2;
+    reg whole_d1;
+    reg [31:0] spread_middle_d1, spread_middle_d2, spread_middle_d3, spread_middle_d4, spread_middle_d5;
+    reg [31:0] root_of_q_d1, spread_half_d1, spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1;
+    reg [31:0] before_far_joined_d1;
+    reg sight_disc_out_d52;
+    reg [31:0] a_x_joined_times_r_d1, a_x_joined_times_r_d2, a_x_joined_times_r_d3, a_x_joined_times_r_d4;
+    reg [31:0] b_x_joined_times_r_d1, b_x_joined_times_r_d2, b_x_joined_times_r_d3, b_x_joined_times_r_d4;
+    reg [31:0] center_x_d45, h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4, center_x_minus_t_x_d18;
+    reg [31:0] minus_h_x_d1, center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2;
+    reg [31:0] center_x_plus_first_x_joined_d1, center_x_plus_first_x_joined_d2;
+    reg first_x_in_order_d1_copy3;
+    reg [31:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, last_x_chosen_d1, last_x_chosen_d2;
+    reg [21:0] first_x_shifted_d1, first_x_shifted_d2, last_x_shifted_d1, last_x_lesser_d1;
     reg [8:0] first_x_d1, last_x_d1;
-    reg occupied_x_d1;
-    reg [31:0] r_times_tangent1_y_d1, r_times_tangent1_y_d2, r_times_tangent1_y_d3, r_times_tangent1_y_d4, a_y_d1;
-    reg [31:0] r_times_tangent2_y_d1, r_times_tangent2_y_d2, r_times_tangent2_y_d3, r_times_tangent2_y_d4, b_y_d1;
-    reg [31:0] h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4, center_y_minus_filter_radius_d1;
-    reg [21:0] last_y_shifted_d1, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3, last_y_lesser_d1;
+    reg [31:0] a_y_joined_times_r_d1, a_y_joined_times_r_d2, a_y_joined_times_r_d3, a_y_joined_times_r_d4;
+    reg [31:0] b_y_joined_times_r_d1, b_y_joined_times_r_d2, b_y_joined_times_r_d3, b_y_joined_times_r_d4;
+    reg [31:0] center_y_d45, h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4, center_y_minus_t_y_d18;
+    reg [31:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_minus_first_y_joined_d2;
+    reg [31:0] center_y_plus_first_y_joined_d1, center_y_plus_first_y_joined_d2, first_y_joined_d1_copy2;
+    reg [31:0] first_y_chosen_d1, first_y_chosen_d2, last_y_chosen_d1, last_y_chosen_d2;
+    reg [31:0] center_y_minus_filter_radius_d1, last_y_chosen_d1_copy2;
+    reg [21:0] first_y_shifted_d1, first_y_shifted_d2, last_y_shifted_d1, last_y_lesser_d1;
     reg [8:0] first_y_d1, last_y_d1;
-    reg occupied_y_d1;
-    reg [31:0] a_x_times_b_y_d1;
-    reg delta_bits_is_zero_d1;
-    reg [7:0] a_x_times_b_y_bits_d1, a_x_times_b_y_bits_d2, a_x_times_b_y_bits_d3;
-    reg edge_on_in_order_d1;
-    reg [31:0] b_depth_d29, center_depth_d1, abs_b_depth_d1, root_of_q_d1, spread_half_d1, spread_half_d2;
-    reg [31:0] spread_half_d3, spread_half_d4;
-    reg visible_d1;
-    reg [31:0] recip_f32_ftz_unit_a, mul_f32_ftz_unit_a, mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a;
+    reg [10:0] a_x_bits_d1, a_x_bits_d11, a_y_bits_d1, a_y_bits_d11, a_exponent_d1, b_x_bits_d1, b_x_bits_d11;
+    reg [10:0] b_y_bits_d1, b_y_bits_d11, b_exponent_d1, a_x_bits_plus_127_d1;
+    reg not_zero_is_a_x_bits_d1, unit_delta_both_d1, a_x_bits_is_255_d1;
+    reg [22:0] a_x_bits_d1_copy2;
+    reg [7:0] unit_delta_chosen_d1;
+    reg a_x_sign_d1;
+    reg [31:0] unit_delta_joined_d1, unit_delta_joined_d2;
+    reg [10:0] a_y_bits_plus_127_d1;
+    reg not_zero_is_a_y_bits_d1, unit_delta_both_d1_copy2, a_y_bits_is_255_d1;
+    reg [22:0] a_y_bits_d1_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy2;
+    reg a_y_sign_d1;
+    reg [31:0] unit_delta_joined_d1_copy2;
+    reg [10:0] b_x_bits_plus_127_d1;
+    reg not_zero_is_b_x_bits_d1, unit_delta_both_d1_copy3, b_x_bits_is_255_d1;
+    reg [22:0] b_x_bits_d1_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy3;
+    reg b_x_sign_d1;
+    reg [31:0] unit_delta_joined_d1_copy3, unit_delta_joined_d2_copy2;
+    reg [10:0] b_y_bits_plus_127_d1;
+    reg not_zero_is_b_y_bits_d1, unit_delta_both_d1_copy4, b_y_bits_is_255_d1;
+    reg [22:0] b_y_bits_d1_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy4;
+    reg b_y_sign_d1;
+    reg [31:0] unit_delta_joined_d1_copy4, unit_delta_joined_d2_copy3;
+    reg [10:0] beta_bits_d12, a_exponent_plus_beta_bits_d1, alpha_bits_d12, b_exponent_plus_alpha_bits_d1;
+    reg [10:0] m_exponent_d1, mx_sum_d1;
+    reg mx_both_d1, beta_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1;
+    reg [31:0] mx_joined_d1;
+    reg [10:0] mx_sum_d1_copy2;
+    reg mx_both_d1_copy2, alpha_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1_copy2;
+    reg [31:0] mx_joined_d1_copy2, mx_product_d1;
+    reg [10:0] largest_sum_d9, unit_delta_bits_d1, unit_delta_bits_d2, unit_delta_bits_d3, largest_greater_d1;
+    reg largest_sum_below_100_d1;
+    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_d1, a_x_bits_plus_381_d1;
+    reg ax_out_both_d1;
+    reg [7:0] ax_out_chosen_d1;
+    reg [31:0] ax_out_joined_d1;
+    reg [10:0] a_y_bits_plus_381_d1;
+    reg ay_out_both_d1;
+    reg [7:0] ay_out_chosen_d1;
+    reg [31:0] ay_out_joined_d1;
+    reg [10:0] b_x_bits_plus_381_d1;
+    reg bx_out_both_d1;
+    reg [7:0] bx_out_chosen_d1;
+    reg [10:0] b_y_bits_plus_381_d1;
+    reg by_out_both_d1;
+    reg [7:0] by_out_chosen_d1;
+    reg [10:0] delta_sum_d1;
+    reg not_zero_is_unit_delta_bits_d1, not_zero_is_unit_delta_bits_d2, not_zero_is_unit_delta_bits_d3;
+    reg delta_both_d1, unit_delta_bits_is_255_d1;
+    reg [22:0] unit_delta_bits_d1_copy2, unit_delta_bits_d2_copy2, unit_delta_bits_d3_copy2;
+    reg [7:0] delta_chosen_d1;
+    reg unit_delta_sign_d1, unit_delta_sign_d2, unit_delta_sign_d3;
+    reg [31:0] delta_d1;
+    reg [10:0] mx_bits_d1, mx_sum_plus_mx_bits_d1;
+    reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
+    reg [22:0] mx_bits_d1_copy2;
+    reg [30:0] mx_joined_d1_copy3;
+    reg mx_bits_d1_copy3, mx_bits_d2;
+    reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
+    reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
+    reg [22:0] my_bits_d1_copy2;
+    reg [30:0] my_joined_d1;
+    reg my_bits_d1_copy3, my_bits_d2;
+    reg [10:0] edge_on_lesser_d1;
+    reg unit_delta_bits_is_zero_d1;
+    reg [7:0] unit_delta_product_bits_d1, unit_delta_product_bits_d2, unit_delta_product_bits_d3;
+    reg [7:0] unit_delta_product_bits_d4;
+    reg edge_on_in_order_d1, doubtful_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1;
+    reg [31:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2, delta_times_one_over_b_depth_d1;
+    reg [31:0] middle_depth_plus_epsilon_d1, max_f32_ftz_unit_a, max_f32_ftz_unit_b, max_f32_ftz_unit_copy2_a;
+    reg [31:0] max_f32_ftz_unit_copy2_b, max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b;
+    reg [31:0] max_f32_ftz_unit_copy4_a, max_f32_ftz_unit_copy4_b, max_f32_ftz_unit_copy5_a;
+    reg [31:0] max_f32_ftz_unit_copy5_b, max_f32_ftz_unit_copy6_a, max_f32_ftz_unit_copy6_b, lt_f32_ftz_unit_a;
+    reg [31:0] lt_f32_ftz_unit_b, lt_f32_ftz_unit_copy2_a, lt_f32_ftz_unit_copy2_b, lt_f32_ftz_unit_copy3_a;
+    reg [31:0] lt_f32_ftz_unit_copy3_b, lt_f32_ftz_unit_copy4_a, lt_f32_ftz_unit_copy4_b, lt_f32_ftz_unit_copy5_a;
+    reg [31:0] lt_f32_ftz_unit_copy5_b, add_f32_ftz_unit_a, add_f32_ftz_unit_b, add_f32_ftz_unit_copy2_a;
+    reg [31:0] add_f32_ftz_unit_copy2_b, add_f32_ftz_unit_copy3_a, add_f32_ftz_unit_copy3_b;
+    reg [31:0] add_f32_ftz_unit_copy4_a, add_f32_ftz_unit_copy4_b, add_f32_ftz_unit_copy5_a;
+    reg [31:0] add_f32_ftz_unit_copy5_b, add_f32_ftz_unit_copy6_a, add_f32_ftz_unit_copy6_b;
+    reg [31:0] add_f32_ftz_unit_copy7_a, add_f32_ftz_unit_copy7_b, add_f32_ftz_unit_copy8_a;
+    reg [31:0] add_f32_ftz_unit_copy8_b, add_f32_ftz_unit_copy9_a, add_f32_ftz_unit_copy9_b;
+    reg [31:0] add_f32_ftz_unit_copy10_a, add_f32_ftz_unit_copy10_b, add_f32_ftz_unit_copy11_a;
+    reg [31:0] add_f32_ftz_unit_copy11_b, add_f32_ftz_unit_copy12_a, add_f32_ftz_unit_copy12_b;
+    reg [31:0] add_f32_ftz_unit_copy13_a, add_f32_ftz_unit_copy13_b, add_f32_ftz_unit_copy14_a;
+    reg [31:0] add_f32_ftz_unit_copy14_b, add_f32_ftz_unit_copy15_a, add_f32_ftz_unit_copy15_b;
+    reg [31:0] add_f32_ftz_unit_copy16_a, add_f32_ftz_unit_copy16_b, add_f32_ftz_unit_copy17_a;
+    reg [31:0] add_f32_ftz_unit_copy17_b, add_f32_ftz_unit_copy18_a, add_f32_ftz_unit_copy18_b;
+    reg [31:0] add_f32_ftz_unit_copy19_a, add_f32_ftz_unit_copy19_b, add_f32_ftz_unit_copy20_a;
+    reg [31:0] add_f32_ftz_unit_copy20_b, add_f32_ftz_unit_copy21_a, add_f32_ftz_unit_copy21_b;
+    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b, recip_f32_ftz_unit_a;
+    reg [31:0] recip_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_a, mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a;
     reg [31:0] mul_f32_ftz_unit_copy2_b, mul_f32_ftz_unit_copy3_a, mul_f32_ftz_unit_copy3_b;
     reg [31:0] mul_f32_ftz_unit_copy4_a, mul_f32_ftz_unit_copy4_b, mul_f32_ftz_unit_copy5_a;
     reg [31:0] mul_f32_ftz_unit_copy5_b, mul_f32_ftz_unit_copy6_a, mul_f32_ftz_unit_copy6_b;
@@ -6603,183 +7009,761 @@ module splat_setup (
     reg [31:0] mul_f32_ftz_unit_copy19_a, mul_f32_ftz_unit_copy19_b, mul_f32_ftz_unit_copy20_a;
     reg [31:0] mul_f32_ftz_unit_copy20_b, mul_f32_ftz_unit_copy21_a, mul_f32_ftz_unit_copy21_b;
     reg [31:0] mul_f32_ftz_unit_copy22_a, mul_f32_ftz_unit_copy22_b, mul_f32_ftz_unit_copy23_a;
-    reg [31:0] mul_f32_ftz_unit_copy23_b, add_f32_ftz_unit_a, add_f32_ftz_unit_b, add_f32_ftz_unit_copy2_a;
-    reg [31:0] add_f32_ftz_unit_copy2_b, add_f32_ftz_unit_copy3_a, add_f32_ftz_unit_copy3_b;
-    reg [31:0] add_f32_ftz_unit_copy4_a, add_f32_ftz_unit_copy4_b, add_f32_ftz_unit_copy5_a;
-    reg [31:0] add_f32_ftz_unit_copy5_b, add_f32_ftz_unit_copy6_a, add_f32_ftz_unit_copy6_b;
-    reg [31:0] add_f32_ftz_unit_copy7_a, add_f32_ftz_unit_copy7_b, add_f32_ftz_unit_copy8_a;
-    reg [31:0] add_f32_ftz_unit_copy8_b, add_f32_ftz_unit_copy9_a, add_f32_ftz_unit_copy9_b;
-    reg [31:0] add_f32_ftz_unit_copy10_a, add_f32_ftz_unit_copy10_b, add_f32_ftz_unit_copy11_a;
-    reg [31:0] add_f32_ftz_unit_copy11_b, add_f32_ftz_unit_copy12_a, add_f32_ftz_unit_copy12_b;
-    reg [31:0] add_f32_ftz_unit_copy13_a, add_f32_ftz_unit_copy13_b, add_f32_ftz_unit_copy14_a;
-    reg [31:0] add_f32_ftz_unit_copy14_b, add_f32_ftz_unit_copy15_a, add_f32_ftz_unit_copy15_b;
-    reg [31:0] add_f32_ftz_unit_copy16_a, add_f32_ftz_unit_copy16_b, add_f32_ftz_unit_copy17_a;
-    reg [31:0] add_f32_ftz_unit_copy17_b, sqrt_f32_ftz_unit_a, sqrt_f32_ftz_unit_copy2_a, min_f32_ftz_unit_a;
-    reg [31:0] min_f32_ftz_unit_b, min_f32_ftz_unit_copy2_a, min_f32_ftz_unit_copy2_b, min_f32_ftz_unit_copy3_a;
-    reg [31:0] min_f32_ftz_unit_copy3_b, max_f32_ftz_unit_a, max_f32_ftz_unit_b, max_f32_ftz_unit_copy2_a;
-    reg [31:0] max_f32_ftz_unit_copy2_b, max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b;
-    reg [31:0] max_f32_ftz_unit_copy4_a, max_f32_ftz_unit_copy4_b, max_f32_ftz_unit_copy5_a;
-    reg [31:0] max_f32_ftz_unit_copy5_b, to_fixed_f32_ftz_u21q8_unit_a, to_fixed_f32_ftz_u21q8_unit_copy2_a;
-    reg [31:0] le_f32_ftz_unit_a, le_f32_ftz_unit_b, to_fixed_f32_ftz_u24q24_unit_a;
+    reg [31:0] mul_f32_ftz_unit_copy23_b, mul_f32_ftz_unit_copy24_a, mul_f32_ftz_unit_copy24_b;
+    reg [31:0] mul_f32_ftz_unit_copy25_a, mul_f32_ftz_unit_copy25_b, mul_f32_ftz_unit_copy26_a;
+    reg [31:0] mul_f32_ftz_unit_copy26_b, mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b, sqrt_f32_ftz_unit_a;
+    reg [31:0] sqrt_f32_ftz_unit_copy2_a, le_f32_ftz_unit_a, le_f32_ftz_unit_b, le_f32_ftz_unit_copy2_a;
+    reg [31:0] le_f32_ftz_unit_copy2_b, min_f32_ftz_unit_a, min_f32_ftz_unit_b, min_f32_ftz_unit_copy2_a;
+    reg [31:0] min_f32_ftz_unit_copy2_b, min_f32_ftz_unit_copy3_a, min_f32_ftz_unit_copy3_b;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_a, to_fixed_f32_ftz_u21q8_unit_copy2_a, to_fixed_f32_ftz_u24q24_unit_a;
     reg [31:0] to_fixed_f32_ftz_u24q24_unit_copy2_a;
-    reg [78:0] in_flight;
+    reg [83:0] in_flight;
 
     wire queue_in_ready;
-    wire [620:0] queue_out_data;
-    wire [31:0] recip_f32_ftz_unit_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
+    wire [685:0] queue_out_data;
+    wire [31:0] max_f32_ftz_unit_y, max_f32_ftz_unit_copy2_y, max_f32_ftz_unit_copy3_y, max_f32_ftz_unit_copy4_y;
+    wire [31:0] max_f32_ftz_unit_copy5_y, max_f32_ftz_unit_copy6_y;
+    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y, lt_f32_ftz_unit_copy3_y, lt_f32_ftz_unit_copy4_y;
+    wire lt_f32_ftz_unit_copy5_y;
+    wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
+    wire [31:0] add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y;
+    wire [31:0] add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y;
+    wire [31:0] add_f32_ftz_unit_copy20_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y, recip_f32_ftz_unit_y;
+    wire [31:0] recip_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
     wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
     wire [31:0] mul_f32_ftz_unit_copy13_y, mul_f32_ftz_unit_copy14_y, mul_f32_ftz_unit_copy15_y;
     wire [31:0] mul_f32_ftz_unit_copy16_y, mul_f32_ftz_unit_copy17_y, mul_f32_ftz_unit_copy18_y;
     wire [31:0] mul_f32_ftz_unit_copy19_y, mul_f32_ftz_unit_copy20_y, mul_f32_ftz_unit_copy21_y;
-    wire [31:0] mul_f32_ftz_unit_copy22_y, mul_f32_ftz_unit_copy23_y, add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y;
-    wire [31:0] add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y, add_f32_ftz_unit_copy5_y;
-    wire [31:0] add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y, add_f32_ftz_unit_copy8_y;
-    wire [31:0] add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy11_y;
-    wire [31:0] add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy14_y;
-    wire [31:0] add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y, add_f32_ftz_unit_copy17_y;
-    wire lt_f32_ftz_unit_y;
-    wire [31:0] sqrt_f32_ftz_unit_y, sqrt_f32_ftz_unit_copy2_y, min_f32_ftz_unit_y, min_f32_ftz_unit_copy2_y;
-    wire [31:0] min_f32_ftz_unit_copy3_y, max_f32_ftz_unit_y, max_f32_ftz_unit_copy2_y, max_f32_ftz_unit_copy3_y;
-    wire [31:0] max_f32_ftz_unit_copy4_y, max_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_f32_ftz_unit_copy22_y, mul_f32_ftz_unit_copy23_y, mul_f32_ftz_unit_copy24_y;
+    wire [31:0] mul_f32_ftz_unit_copy25_y, mul_f32_ftz_unit_copy26_y, mul_f32_ftz_unit_copy27_y, sqrt_f32_ftz_unit_y;
+    wire [31:0] sqrt_f32_ftz_unit_copy2_y;
+    wire le_f32_ftz_unit_y, le_f32_ftz_unit_copy2_y;
+    wire [31:0] min_f32_ftz_unit_y, min_f32_ftz_unit_copy2_y, min_f32_ftz_unit_copy3_y;
     wire [20:0] to_fixed_f32_ftz_u21q8_unit_y, to_fixed_f32_ftz_u21q8_unit_copy2_y;
-    wire le_f32_ftz_unit_y;
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_y, to_fixed_f32_ftz_u24q24_unit_copy2_y;
 
-    wire end_d79 = delay_79_from_0_out[0];
-    wire end_or_visible = end_d79 | visible_d1;
-    wire queue_in_valid_both = in_flight[78] & end_or_visible & ~phase;
-    wire [31:0] center_x_d54 = delay_12_from_0_out[31:0];
-    wire [31:0] center_y_d54 = delay_12_from_0_out[63:32];
-    wire [31:0] a_x_d51 = delay_50_from_1_out[31:0];
-    wire [31:0] b_x_d51 = delay_50_from_1_out[63:32];
-    wire [31:0] a_y_d51 = delay_50_from_1_out[95:64];
-    wire [31:0] b_y_d51 = delay_50_from_1_out[127:96];
-    wire [31:0] delta_d43 = delay_43_from_0_out[31:0];
-    wire [31:0] delta_out = delay_42_from_0_out ? 32'h7fc00000 : delta_d43;
-    wire [31:0] mx_d43 = delay_43_from_0_out[63:32];
-    wire [31:0] my_d43 = delay_43_from_0_out[95:64];
-    wire [23:0] depth_out_d17 = delay_17_from_0_out[87:64];
-    wire [23:0] depth_low_out_d7 = delay_7_from_1_out[55:32];
-    wire [23:0] depth_high_out_d7 = delay_7_from_1_out[79:56];
-    wire [15:0] attribute_0_d79 = delay_79_from_0_out[16:1];
-    wire [15:0] attribute_1_d79 = delay_79_from_0_out[32:17];
-    wire [15:0] attribute_2_d79 = delay_79_from_0_out[48:33];
-    wire [15:0] attribute_3_d79 = delay_79_from_0_out[64:49];
-    wire [15:0] attribute_4_d79 = delay_79_from_0_out[80:65];
-    wire [15:0] attribute_5_d79 = delay_79_from_0_out[96:81];
-    wire [15:0] attribute_6_d79 = delay_79_from_0_out[112:97];
-    wire [15:0] attribute_7_d79 = delay_79_from_0_out[128:113];
-    wire [15:0] attribute_8_d79 = delay_79_from_0_out[144:129];
-    wire [15:0] attribute_9_d79 = delay_79_from_0_out[160:145];
-    wire [15:0] attribute_10_d79 = delay_79_from_0_out[176:161];
-    wire [15:0] attribute_11_d79 = delay_79_from_0_out[192:177];
-    wire [15:0] attribute_12_d79 = delay_79_from_0_out[208:193];
-    wire [15:0] cardinal_0_d79 = delay_79_from_0_out[224:209];
+    wire beyond_near_d7 = delay_7_from_1_out[0];
+    wire reaches_near = beyond_near_d7 | lt_f32_ftz_unit_copy3_y;
+    wire end_d84 = delay_84_from_0_out[0];
+    wire reaches_near_and_visible_both = delay_76_from_1_out & visible_both_d1;
+    wire doubtful_or_visible_unequal_d44 = delay_44_from_0_out[2];
+    wire visible = reaches_near_and_visible_both & doubtful_or_visible_unequal_d44;
+    wire end_or_visible = end_d84 | visible;
+    wire queue_in_valid_both = in_flight[83] & end_or_visible & ~phase;
+    wire [31:0] center_x_d56 = delay_11_from_0_out[319:288];
+    wire [31:0] center_y_d56 = delay_11_from_0_out[351:320];
+    wire [31:0] ax_out_d41 = delay_41_from_0_out[32:1];
+    wire [31:0] bx_out_d42 = delay_42_from_1_out[31:0];
+    wire [31:0] ay_out_d41 = delay_41_from_0_out[64:33];
+    wire [31:0] by_out_d42 = delay_42_from_1_out[63:32];
+    wire edge_on_d44 = delay_44_from_0_out[0];
+    wire [31:0] delta_d42 = delay_41_from_1_out[63:32];
+    wire [31:0] delta_out = edge_on_d44 ? 32'h7fc00000 : delta_d42;
+    wire [31:0] mx_d42 = delay_42_from_1_out[95:64];
+    wire [31:0] my_d42 = delay_42_from_1_out[127:96];
+    wire sight_negative_out_d44 = delay_44_from_0_out[1];
+    wire [30:0] sight_near_out_product_bits_d34 = delay_34_from_1_out[30:0];
+    wire [30:0] sight_near_out = delay_21_from_1_out ? 31'h7fffffff : sight_near_out_product_bits_d34;
+    wire all_before_far_d20 = delay_20_from_0_out[0];
+    wire [30:0] sight_far_out_product_bits_d34 = delay_34_from_1_out[61:31];
+    wire [30:0] sight_far_out = all_before_far_d20 ? 31'd0 : sight_far_out_product_bits_d34;
+    wire turned_d81 = delay_41_from_0_out[0];
+    wire sight_disc_out_d58 = delay_6_from_0_out[32];
+    wire [23:0] depth_out_d17 = delay_17_from_0_out[216:193];
+    wire [23:0] depth_low_out_d7 = delay_7_from_1_out[56:33];
+    wire [23:0] depth_high_out_d6 = delay_6_from_0_out[56:33];
+    wire [15:0] attribute_0_d84 = delay_84_from_0_out[16:1];
+    wire [15:0] attribute_1_d84 = delay_84_from_0_out[32:17];
+    wire [15:0] attribute_2_d84 = delay_84_from_0_out[48:33];
+    wire [15:0] attribute_3_d84 = delay_84_from_0_out[64:49];
+    wire [15:0] attribute_4_d84 = delay_84_from_0_out[80:65];
+    wire [15:0] attribute_5_d84 = delay_84_from_0_out[96:81];
+    wire [15:0] attribute_6_d84 = delay_84_from_0_out[112:97];
+    wire [15:0] attribute_7_d84 = delay_84_from_0_out[128:113];
+    wire [15:0] attribute_8_d84 = delay_84_from_0_out[144:129];
+    wire [15:0] attribute_9_d84 = delay_84_from_0_out[160:145];
+    wire [15:0] attribute_10_d84 = delay_84_from_0_out[176:161];
+    wire [15:0] attribute_11_d84 = delay_84_from_0_out[192:177];
+    wire [15:0] attribute_12_d84 = delay_84_from_0_out[208:193];
+    wire [15:0] cardinal_0_d84 = delay_84_from_0_out[224:209];
     wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
-    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
+    wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_y[30:23]};
+    wire [10:0] first_x_greater_bits_plus_1 = 11'd1 + first_x_greater_bits_d1_bits;
+    wire first_x_in_order = 11'd0 < first_x_greater_bits_plus_1;
+    wire zero_is_first_x_greater_bits = 11'd0 == first_x_greater_bits_d1_bits;
+    wire first_x_inverted = ~zero_is_first_x_greater_bits;
+    wire first_x_greater_bits_is_255 = first_x_greater_bits_d1_bits == 11'd255;
+    wire first_x_in_order_copy2 = ~(first_x_greater_bits_plus_1 < 11'd255);
+    wire first_x_both = first_x_in_order_d1 & first_x_inverted_d1;
+    wire first_x_both_copy2 = first_x_both & first_x_in_order_d1_copy2;
+    wire first_x_inverted_copy2 = ~first_x_greater_bits_is_255_d1;
+    wire first_x_both_copy3 = first_x_both_copy2 & first_x_inverted_copy2;
+    wire first_x_either = first_x_both | first_x_greater_bits_is_255_d1;
+    wire [10:0] first_x_chosen = first_x_both_d1 ? 11'd255 : first_x_greater_bits_plus_1_d1;
+    wire [10:0] first_x_chosen_copy2 = first_x_greater_bits_is_255_d1 ? first_x_greater_bits_d1 : first_x_chosen;
+    wire [22:0] first_x_chosen_copy3 = first_x_both_d1 ? 23'd0 : first_x_greater_bits_d1_copy2;
+    wire [30:0] first_x_chosen_copy4 = first_x_either_d1 ? {first_x_chosen_copy2[7:0], first_x_chosen_copy3} : 31'd0;
+    wire [10:0] first_y_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_copy2_y[30:23]};
+    wire [10:0] first_y_greater_bits_plus_1 = 11'd1 + first_y_greater_bits_d1_bits;
+    wire first_y_in_order = 11'd0 < first_y_greater_bits_plus_1;
+    wire zero_is_first_y_greater_bits = 11'd0 == first_y_greater_bits_d1_bits;
+    wire first_y_inverted = ~zero_is_first_y_greater_bits;
+    wire first_y_greater_bits_is_255 = 11'd255 == first_y_greater_bits_d1_bits;
+    wire first_y_in_order_copy2 = ~(first_y_greater_bits_plus_1 < 11'd255);
+    wire first_y_both = first_y_in_order_d1 & first_y_inverted_d1;
+    wire first_y_both_copy2 = first_y_both & first_y_in_order_d1_copy2;
+    wire first_y_inverted_copy2 = ~first_y_greater_bits_is_255_d1;
+    wire first_y_both_copy3 = first_y_both_copy2 & first_y_inverted_copy2;
+    wire first_y_either = first_y_both | first_y_greater_bits_is_255_d1;
+    wire [10:0] first_y_chosen = first_y_both_d1 ? 11'd255 : first_y_greater_bits_plus_1_d1;
+    wire [10:0] first_y_chosen_copy2 = first_y_greater_bits_is_255_d1 ? first_y_greater_bits_d1 : first_y_chosen;
+    wire [22:0] first_y_chosen_copy3 = first_y_both_d1 ? 23'd0 : first_y_greater_bits_d1_copy2;
+    wire [30:0] first_y_chosen_copy4 = first_y_either_d1 ? {first_y_chosen_copy2[7:0], first_y_chosen_copy3} : 31'd0;
+    wire [10:0] reaches_near_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_copy3_y[30:23]};
+    wire [10:0] reaches_near_sum = 11'd1 + reaches_near_greater_bits_d1_bits;
+    wire zero_below_reaches_near_sum = 11'd0 < reaches_near_sum;
+    wire reaches_near_same = 11'd0 == reaches_near_greater_bits_d1_bits;
+    wire not_reaches_near_same = ~reaches_near_same;
+    wire reaches_near_same_copy2 = 11'd255 == reaches_near_greater_bits_d1_bits;
+    wire reaches_near_in_order = ~(reaches_near_sum < 11'd255);
+    wire reaches_near_both = zero_below_reaches_near_sum_d1 & not_reaches_near_same_d1;
+    wire reaches_near_both_copy2 = reaches_near_both & reaches_near_in_order_d1;
+    wire not_reaches_near_same_copy2 = ~reaches_near_same_d1;
+    wire reaches_near_both_copy3 = reaches_near_both_copy2 & not_reaches_near_same_copy2;
+    wire reaches_near_either = reaches_near_both | reaches_near_same_d1;
+    wire [10:0] reaches_near_chosen = reaches_near_both_d1 ? 11'd255 : reaches_near_sum_d1;
+    wire [10:0] reaches_near_chosen_copy2 = reaches_near_same_d1 ? reaches_near_greater_bits_d1 : reaches_near_chosen;
+    wire [22:0] reaches_near_chosen_copy3 = reaches_near_both_d1 ? 23'd0 : reaches_near_greater_bits_d1_copy2;
+    wire [30:0] reaches_near_chosen_copy4 = reaches_near_either_d1 ? {reaches_near_chosen_copy2[7:0], reaches_near_chosen_copy3} : 31'd0;
+    wire [10:0] turned_greater_bits = {3'd0, in_center_x[30:23]};
+    wire [10:0] turned_greater_bits_2 = {3'd0, in_center_y[30:23]};
+    wire [10:0] turned_greater = (turned_greater_bits < turned_greater_bits_2) ? turned_greater_bits_2 : turned_greater_bits;
+    wire [10:0] center_z_bits_plus_10 = {3'd0, in_center_z[30:23]} + 11'd10;
+    wire turned_in_order = center_z_bits_plus_10_d1 < turned_greater_d1;
+    wire not_beyond_near = ~lt_f32_ftz_unit_y;
+    wire turned_either = turned_in_order_d1 | not_beyond_near;
+    wire turned = lt_f32_ftz_unit_y & turned_either_d2;
+    wire [31:0] lowered_chosen_copy2 = swapped_d2 ? tangent1_x_d3 : tangent2_x_d3;
+    wire [31:0] lowered_chosen_copy6 = turned ? lowered_chosen_copy2 : tangent1_x_d3;
+    wire [31:0] lowered_chosen_copy3 = swapped_d2 ? tangent1_y_d3 : tangent2_y_d3;
+    wire [31:0] lowered_chosen_copy7 = turned ? lowered_chosen_copy3 : tangent1_y_d3;
+    wire lowered_greater_in_order = {3'd0, lowered_chosen_bits_d1} < {3'd0, lowered_chosen_bits_d1_copy3};
+    wire [10:0] lowered_greater = lowered_greater_in_order ? {3'd0, lowered_chosen_bits_d1_copy3} : {3'd0, lowered_chosen_bits_d1};
+    wire [31:0] lowered_chosen_copy4 = swapped_d2 ? tangent1_z_d3 : tangent2_z_d3;
+    wire [31:0] lowered_chosen_copy8 = turned ? lowered_chosen_copy4 : tangent1_z_d3;
+    wire [10:0] lowered_greater_copy2 = (lowered_greater_d1 < lowered_chosen_bits_d1_copy6) ? lowered_chosen_bits_d1_copy6 : lowered_greater_d1;
+    wire [31:0] lowered_chosen_copy9 = turned ? center_x_d3 : tangent2_x_d3;
+    wire [10:0] lowered_greater_copy3 = (lowered_greater_d1_copy2 < lowered_chosen_bits_d1_copy8) ? lowered_chosen_bits_d1_copy8 : lowered_greater_d1_copy2;
+    wire [31:0] lowered_chosen_copy10 = turned ? center_y_d3 : tangent2_y_d3;
+    wire [10:0] lowered_greater_copy4 = (lowered_greater_d1_copy3 < lowered_chosen_bits_d2_copy5) ? lowered_chosen_bits_d2_copy5 : lowered_greater_d1_copy3;
+    wire [31:0] lowered_chosen_copy11 = turned ? center_z_d3 : tangent2_z_d3;
+    wire [10:0] lowered_greater_copy5 = (lowered_greater_d1_copy4 < lowered_chosen_bits_d2_copy6) ? lowered_chosen_bits_d2_copy6 : lowered_greater_d1_copy4;
+    wire [31:0] lowered_chosen = swapped_d2 ? tangent2_z_d3 : tangent1_z_d3;
+    wire [31:0] lowered_chosen_copy5 = turned ? lowered_chosen : center_z_d3;
+    wire [10:0] lowered_chosen_bits_plus_60 = {3'd0, lowered_chosen_bits_d1_copy13} + 11'd60;
+    wire lowered_in_order = lowered_greater_d1_copy5 < lowered_chosen_bits_plus_60_d2;
+    wire [10:0] lowered_difference = lowered_greater_d1_copy5 - lowered_chosen_bits_plus_60_d2;
+    wire [10:0] lowered = lowered_in_order ? 11'd0 : lowered_difference;
+    wire zero_is_lowered_chosen_bits = 11'd0 == {3'd0, lowered_chosen_bits_d1};
+    wire a_x_inverted = ~zero_is_lowered_chosen_bits;
+    wire a_x_in_order = lowered_d1 < lowered_chosen_bits_d3;
+    wire a_x_in_order_and_a_x_inverted = a_x_in_order & a_x_inverted_d3;
+    wire lowered_chosen_bits_is_255 = 11'd255 == lowered_chosen_bits_d3;
+    wire [10:0] a_x_difference = lowered_chosen_bits_d3 - lowered_d1;
+    wire [10:0] a_x_chosen = lowered_chosen_bits_is_255_d1 ? lowered_chosen_bits_d3 : a_x_difference;
+    wire zero_is_lowered_chosen_bits_copy2 = 11'd0 == {3'd0, lowered_chosen_bits_d1_copy3};
+    wire a_y_inverted = ~zero_is_lowered_chosen_bits_copy2;
+    wire a_y_in_order = lowered_d1 < lowered_chosen_bits_d3_copy2;
+    wire a_y_in_order_and_a_y_inverted = a_y_in_order & a_y_inverted_d3;
+    wire lowered_chosen_bits_is_255_copy2 = 11'd255 == lowered_chosen_bits_d3_copy2;
+    wire [10:0] a_y_difference = lowered_chosen_bits_d3_copy2 - lowered_d1;
+    wire [10:0] a_y_chosen = lowered_chosen_bits_is_255_d1_copy2 ? lowered_chosen_bits_d3_copy2 : a_y_difference;
+    wire zero_is_lowered_chosen_bits_copy3 = 11'd0 == {3'd0, lowered_chosen_bits_d1_copy5};
+    wire alpha_inverted = ~zero_is_lowered_chosen_bits_copy3;
+    wire alpha_in_order = lowered_d1 < lowered_chosen_bits_d3_copy3;
+    wire alpha_both = alpha_in_order & alpha_inverted_d3;
+    wire lowered_chosen_bits_is_255_copy3 = 11'd255 == lowered_chosen_bits_d3_copy3;
+    wire [10:0] alpha_difference = lowered_chosen_bits_d3_copy3 - lowered_d1;
+    wire [10:0] alpha_chosen = lowered_chosen_bits_is_255_d1_copy3 ? lowered_chosen_bits_d3_copy3 : alpha_difference;
+    wire zero_is_lowered_chosen_bits_copy4 = 11'd0 == {3'd0, lowered_chosen_bits_d1_copy7};
+    wire b_x_inverted = ~zero_is_lowered_chosen_bits_copy4;
+    wire b_x_in_order = lowered_d1 < lowered_chosen_bits_d3_copy4;
+    wire b_x_in_order_and_b_x_inverted = b_x_in_order & b_x_inverted_d3;
+    wire lowered_chosen_bits_is_255_copy4 = 11'd255 == lowered_chosen_bits_d3_copy4;
+    wire [10:0] b_x_difference = lowered_chosen_bits_d3_copy4 - lowered_d1;
+    wire [10:0] b_x_chosen = lowered_chosen_bits_is_255_d1_copy4 ? lowered_chosen_bits_d3_copy4 : b_x_difference;
+    wire zero_is_lowered_chosen_bits_copy5 = 11'd0 == {3'd0, lowered_chosen_bits_d1_copy9};
+    wire b_y_inverted = ~zero_is_lowered_chosen_bits_copy5;
+    wire b_y_in_order = lowered_d1 < lowered_chosen_bits_d3_copy5;
+    wire b_y_in_order_and_b_y_inverted = b_y_in_order & b_y_inverted_d3;
+    wire lowered_chosen_bits_is_255_copy5 = 11'd255 == lowered_chosen_bits_d3_copy5;
+    wire [10:0] b_y_difference = lowered_chosen_bits_d3_copy5 - lowered_d1;
+    wire [10:0] b_y_chosen = lowered_chosen_bits_is_255_d1_copy5 ? lowered_chosen_bits_d3_copy5 : b_y_difference;
+    wire zero_is_lowered_chosen_bits_copy6 = 11'd0 == {3'd0, lowered_chosen_bits_d1_copy11};
+    wire beta_inverted = ~zero_is_lowered_chosen_bits_copy6;
+    wire beta_in_order = lowered_d1 < lowered_chosen_bits_d3_copy6;
+    wire beta_both = beta_in_order & beta_inverted_d3;
+    wire lowered_chosen_bits_is_255_copy6 = 11'd255 == lowered_chosen_bits_d3_copy6;
+    wire [10:0] beta_difference = lowered_chosen_bits_d3_copy6 - lowered_d1;
+    wire [10:0] beta_chosen = lowered_chosen_bits_is_255_d1_copy6 ? lowered_chosen_bits_d3_copy6 : beta_difference;
+    wire turned_d5 = delay_5_from_0_out[0];
+    wire not_turned = ~turned_d5;
+    wire beyond_near_and_not_turned_d14 = delay_14_from_1_out[0];
+    wire [31:0] alpha_d11 = delay_11_from_0_out[223:192];
+    wire [31:0] beta_d11 = delay_11_from_0_out[255:224];
+    wire not_turned_d25 = delay_7_from_0_out[0];
+    wire not_turned_and_whole_in_order = not_turned_d25 & lt_f32_ftz_unit_copy2_y;
+    wire zero_is_lowered = 11'd0 == lowered_d27;
+    wire whole = not_turned_and_whole_in_order & zero_is_lowered;
+    wire before_far_in_order = mul_f32_ftz_unit_copy5_y[30:0] < 31'd16;
+    wire [30:0] before_far_difference = mul_f32_ftz_unit_copy5_y[30:0] - 31'd16;
+    wire [30:0] before_far_chosen = before_far_in_order ? 31'd0 : before_far_difference;
+    wire sight_disc_out_d51 = delay_51_from_0_out[0];
+    wire [31:0] center_x_d44 = delay_20_from_0_out[32:1];
+    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[32:1];
+    wire first_x_product_bits_below_16 = mul_f32_ftz_unit_copy15_y[30:0] < 31'd16;
+    wire [30:0] first_x_product_bits_minus_16 = mul_f32_ftz_unit_copy15_y[30:0] - 31'd16;
+    wire [30:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 31'd0 : first_x_product_bits_minus_16;
+    wire whole_d43 = delay_12_from_0_out[0];
+    wire [31:0] first_x_chosen_d17 = delay_17_from_0_out[64:33];
+    wire [31:0] first_x_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy8_y : first_x_chosen_d17;
+    wire [31:0] last_x_chosen_d17 = delay_17_from_0_out[96:65];
+    wire [31:0] last_x_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy11_y : last_x_chosen_d17;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] first_x_chosen = delay_17_from_1_out ? (first_x_greater_fixed_plus_126 >> 8) : 22'd0;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y} + 22'd130;
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
-    wire [8:0] first_x = first_x_chosen_d3[8:0];
-    wire [21:0] last_x_chosen = whole_d49 ? last_x_lesser_d1 : 22'd512;
-    wire [21:0] last_x_chosen_minus_1 = last_x_chosen - 22'd1;
-    wire [8:0] last_x = last_x_chosen_minus_1[8:0];
-    wire occupied_x = first_x_chosen_d3 < last_x_chosen;
+    wire [8:0] first_x = first_x_shifted_d2[8:0];
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
+    wire [31:0] center_y_d44 = delay_20_from_0_out[64:33];
+    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[128:97];
+    wire first_y_product_bits_below_16 = mul_f32_ftz_unit_copy24_y[30:0] < 31'd16;
+    wire [30:0] first_y_product_bits_minus_16 = mul_f32_ftz_unit_copy24_y[30:0] - 31'd16;
+    wire [30:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 31'd0 : first_y_product_bits_minus_16;
+    wire [31:0] first_y_chosen_d17 = delay_17_from_0_out[160:129];
+    wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy15_y : first_y_chosen_d17;
+    wire [31:0] last_y_chosen_d17 = delay_17_from_0_out[192:161];
+    wire [31:0] last_y_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy18_y : last_y_chosen_d17;
+    wire [31:0] last_y_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_copy4_y : last_y_chosen_d2;
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_y};
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] first_y_chosen = delay_17_from_1_out ? (first_y_greater_fixed_plus_126 >> 8) : 22'd0;
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [8:0] first_y = first_y_chosen_d3[8:0];
-    wire [21:0] last_y_chosen = whole_d49 ? last_y_lesser_d1 : 22'd512;
-    wire [21:0] last_y_chosen_minus_1 = last_y_chosen - 22'd1;
-    wire [8:0] last_y = last_y_chosen_minus_1[8:0];
-    wire occupied_y = first_y_chosen_d3 < last_y_chosen;
-    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
-    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
-    wire [8:0] delta_bits_plus_20 = delta_bits_is_zero_bits + 9'd20;
-    wire edge_on_in_order = delta_bits_plus_20 < {1'd0, a_x_times_b_y_bits_d3};
-    wire visible_both = occupied_x_d1 & delay_19_from_0_out;
-    wire occupied_y_and_visible_both = occupied_y_d1 & visible_both;
-    wire visible_unequal_d43 = delay_43_from_0_out[96];
-    wire edge_on_or_visible_unequal = delay_42_from_0_out | visible_unequal_d43;
-    wire visible = occupied_y_and_visible_both & edge_on_or_visible_unequal;
-    wire [31:0] mul_f32_ftz_unit_a_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
-    wire [31:0] tangent1_z_d15 = delay_15_from_0_out[31:0];
-    wire [31:0] mul_f32_ftz_unit_copy2_a_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-    wire [31:0] tangent2_z_d15 = delay_15_from_0_out[63:32];
-    wire [31:0] center_x_d15 = delay_15_from_0_out[95:64];
-    wire [31:0] tangent1_x_d15 = delay_15_from_0_out[127:96];
-    wire [31:0] tangent2_x_d15 = delay_15_from_0_out[159:128];
-    wire [31:0] alpha_d11 = delay_11_from_0_out[31:0];
-    wire [31:0] beta_d11 = delay_11_from_0_out[63:32];
-    wire [31:0] t_x_sum_d8 = delay_8_from_1_out[31:0];
-    wire [31:0] a_x_squared_plus_b_x_squared_d8 = delay_8_from_1_out[63:32];
-    wire [31:0] mul_f32_ftz_unit_copy11_a_choice = phase ? recip_f32_ftz_unit_y : scale_y;
-    wire [31:0] center_y_d15 = delay_15_from_0_out[191:160];
-    wire [31:0] tangent1_y_d15 = delay_15_from_0_out[223:192];
-    wire [31:0] tangent2_y_d15 = delay_15_from_0_out[255:224];
-    wire [31:0] t_y_sum_d8 = delay_8_from_1_out[95:64];
-    wire [31:0] a_y_squared_plus_b_y_squared_d8 = delay_8_from_1_out[127:96];
-    wire beyond_near = delay_29_from_1_out & le_f32_ftz_unit_y;
-    wire [31:0] half_depth = beyond_near ? delay_5_from_0_out : min_f32_ftz_unit_copy3_y;
-    wire [31:0] center_x_d22 = delay_22_from_0_out[31:0];
-    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy6_b_bits = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
-    wire [31:0] center_x_d42 = delay_20_from_0_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy7_b_bits = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
+    wire [8:0] first_y = first_y_shifted_d2[8:0];
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
+    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy7_y[30:23]};
+    wire [10:0] a_x_bits_d10 = delay_9_from_1_out[10:0];
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy15_y[30:23]};
+    wire [10:0] a_y_bits_d10 = delay_9_from_1_out[21:11];
+    wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy9_y[30:23]};
+    wire [10:0] b_x_bits_d10 = delay_9_from_1_out[32:22];
+    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy17_y[30:23]};
+    wire [10:0] b_y_bits_d10 = delay_9_from_1_out[43:33];
+    wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
+    wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
+    wire zero_is_a_x_bits = 11'd0 == a_x_bits_d1_bits;
+    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
+    wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
+    wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1_bits;
+    wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
+    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 31'd0;
+    wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
+    wire zero_is_a_y_bits = 11'd0 == a_y_bits_d1_bits;
+    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
+    wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
+    wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
+    wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 31'd0;
+    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
+    wire zero_is_b_x_bits = 11'd0 == b_x_bits_d1_bits;
+    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
+    wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
+    wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1_bits;
+    wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 31'd0;
+    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
+    wire zero_is_b_y_bits = 11'd0 == b_y_bits_d1_bits;
+    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
+    wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
+    wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1_bits;
+    wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
+    wire [30:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 31'd0;
+    wire [10:0] beta_bits_d11 = delay_11_from_0_out[362:352];
+    wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d11;
+    wire [10:0] alpha_bits_d11 = delay_11_from_0_out[373:363];
+    wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d11;
+    wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
+    wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
+    wire [10:0] mx_sum = beta_bits_d11 + a_exponent_plus_127;
+    wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
+    wire not_zero_is_beta_bits_d12 = delay_12_from_0_out[33];
+    wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d12;
+    wire beta_bits_is_255 = 11'd255 == beta_bits_d12;
+    wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
+    wire [10:0] mx_chosen = beta_bits_is_255_d1 ? beta_bits_d12 : mx_sum_minus_m_exponent;
+    wire mx_both_or_beta_bits_is_255 = mx_both_d1 | beta_bits_is_255_d1;
+    wire [30:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d13[22:0]} : 31'd0;
+    wire [31:0] mx_joined_d1_bits = {beta_d13[31], mx_chosen_copy2};
+    wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
+    wire [10:0] mx_sum_copy2 = alpha_bits_d11 + b_exponent_plus_127;
+    wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
+    wire not_zero_is_alpha_bits_d12 = delay_12_from_0_out[34];
+    wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d12;
+    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d12;
+    wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
+    wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d12 : mx_sum_minus_m_exponent_copy2;
+    wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
+    wire [30:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d13[22:0]} : 31'd0;
+    wire [10:0] largest_sum_d8 = delay_8_from_0_out[42:32];
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy22_y[30:23]};
+    wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire [10:0] largest_sum_copy2 = largest_sum_d8 + unit_delta_bits_d1_bits;
+    wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
+    wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
+    wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
+    wire [10:0] largest_greater_plus_154_d8 = delay_8_from_1_out[42:32];
+    wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d8 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d8;
+    wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum_copy2;
+    wire [31:0] b_depth_d19 = delay_11_from_0_out[287:256];
+    wire [10:0] largest_in_order_bits = {3'd0, b_depth_d19[30:23]};
+    wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
+    wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
+    wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
+    wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
+    wire [10:0] largest = (largest_greater_d1_copy3 < delay_9_from_0_out) ? delay_9_from_0_out : largest_greater_d1_copy3;
+    wire [10:0] a_x_bits_plus_381 = a_x_bits_d10 + 11'd381;
+    wire not_zero_is_a_x_bits_d11 = delay_10_from_1_out[128];
+    wire ax_out_in_order = largest_d1 < a_x_bits_plus_381_d1;
+    wire ax_out_both = not_zero_is_a_x_bits_d11 & ax_out_in_order;
+    wire a_x_bits_is_255_d11 = delay_10_from_1_out[129];
+    wire [10:0] ax_out_difference = a_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] ax_out_chosen = a_x_bits_is_255_d11 ? a_x_bits_d11 : ax_out_difference;
+    wire a_x_sign_d11 = delay_10_from_1_out[153];
+    wire a_x_bits_is_255_or_ax_out_both = a_x_bits_is_255_d11 | ax_out_both_d1;
+    wire [22:0] a_x_bits_d11_copy2 = delay_10_from_1_out[152:130];
+    wire [30:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? {ax_out_chosen_d1, a_x_bits_d11_copy2} : 31'd0;
+    wire [10:0] a_y_bits_plus_381 = a_y_bits_d10 + 11'd381;
+    wire not_zero_is_a_y_bits_d11 = delay_10_from_1_out[154];
+    wire ay_out_in_order = largest_d1 < a_y_bits_plus_381_d1;
+    wire ay_out_both = not_zero_is_a_y_bits_d11 & ay_out_in_order;
+    wire a_y_bits_is_255_d11 = delay_10_from_1_out[155];
+    wire [10:0] ay_out_difference = a_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] ay_out_chosen = a_y_bits_is_255_d11 ? a_y_bits_d11 : ay_out_difference;
+    wire a_y_sign_d11 = delay_10_from_1_out[179];
+    wire a_y_bits_is_255_or_ay_out_both = a_y_bits_is_255_d11 | ay_out_both_d1;
+    wire [22:0] a_y_bits_d11_copy2 = delay_10_from_1_out[178:156];
+    wire [30:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? {ay_out_chosen_d1, a_y_bits_d11_copy2} : 31'd0;
+    wire [10:0] b_x_bits_plus_381 = b_x_bits_d10 + 11'd381;
+    wire not_zero_is_b_x_bits_d11 = delay_10_from_1_out[180];
+    wire bx_out_in_order = largest_d1 < b_x_bits_plus_381_d1;
+    wire bx_out_both = not_zero_is_b_x_bits_d11 & bx_out_in_order;
+    wire b_x_bits_is_255_d11 = delay_10_from_1_out[181];
+    wire [10:0] bx_out_difference = b_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] bx_out_chosen = b_x_bits_is_255_d11 ? b_x_bits_d11 : bx_out_difference;
+    wire [10:0] b_y_bits_plus_381 = b_y_bits_d10 + 11'd381;
+    wire not_zero_is_b_y_bits_d11 = delay_10_from_1_out[206];
+    wire by_out_in_order = largest_d1 < b_y_bits_plus_381_d1;
+    wire by_out_both = not_zero_is_b_y_bits_d11 & by_out_in_order;
+    wire b_y_bits_is_255_d11 = delay_10_from_1_out[207];
+    wire [10:0] by_out_difference = b_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] by_out_chosen = b_y_bits_is_255_d11 ? b_y_bits_d11 : by_out_difference;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d9;
+    wire [10:0] delta_sum = unit_delta_bits_d2 + largest_sum_plus_127_copy2;
+    wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
+    wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
+    wire largest_below_delta_sum = largest_d1 < delta_sum_d1;
+    wire delta_both = largest_below_delta_sum & not_zero_is_unit_delta_bits_d3;
+    wire unit_delta_bits_is_255 = 11'd255 == unit_delta_bits_d2;
+    wire [10:0] delta_sum_minus_largest = delta_sum_d1 - largest_d1;
+    wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d3 : delta_sum_minus_largest;
+    wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
+    wire [30:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d3_copy2} : 31'd0;
+    wire [31:0] delta = {unit_delta_sign_d3, delta_chosen_copy2};
+    wire [10:0] mx_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy18_y[30:23]};
+    wire [10:0] mx_sum_d8 = delay_8_from_0_out[53:43];
+    wire [10:0] mx_sum_plus_mx_bits = mx_sum_d8 + mx_bits_d1_bits;
+    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire mx_in_order = largest_d1 < mx_sum_plus_mx_bits_d1;
+    wire mx_both_copy3 = mx_in_order & not_zero_is_mx_bits_d1;
+    wire mx_bits_is_255 = 11'd255 == mx_bits_d1;
+    wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
+    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy19_y[30:23]};
+    wire [10:0] mx_sum_plus_my_bits = mx_sum_d8 + my_bits_d1_bits;
+    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire my_in_order = largest_d1 < mx_sum_plus_my_bits_d1;
+    wire my_both = my_in_order & not_zero_is_my_bits_d1;
+    wire my_bits_is_255 = 11'd255 == my_bits_d1;
+    wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
+    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
+    wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire [8:0] unit_delta_bits_plus_18_bits = {1'd0, add_f32_ftz_unit_copy22_y[30:23]};
+    wire unit_delta_bits_is_zero = unit_delta_bits_plus_18_bits == 9'd0;
+    wire [8:0] unit_delta_bits_plus_20 = unit_delta_bits_plus_18_bits + 9'd20;
+    wire edge_on_in_order = unit_delta_bits_plus_20 < {1'd0, unit_delta_product_bits_d4};
+    wire [8:0] unit_delta_bits_plus_18 = unit_delta_bits_plus_18_bits + 9'd18;
+    wire doubtful_in_order = unit_delta_bits_plus_18 < {1'd0, unit_delta_product_bits_d4};
+    wire occupied_x = first_x_shifted_d2 < last_x_lesser_d1;
+    wire before_far_and_occupied_x = delay_57_from_0_out & occupied_x;
+    wire occupied_y = first_y_shifted_d2 < last_y_lesser_d1;
+    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
+    wire not_ax_out_joined_sign = ~a_x_sign_d11;
+    wire not_ay_out_joined_sign = ~a_y_sign_d11;
+    wire [31:0] first_x_chosen_copy10 = sight_disc_out_d52 ? min_f32_ftz_unit_copy2_y : first_x_chosen_d2;
+    wire [31:0] max_f32_ftz_unit_copy3_a_bits = {1'd0, in_tangent1_z[30:0]};
+    wire [31:0] max_f32_ftz_unit_copy3_b_bits = {1'd0, in_tangent2_z[30:0]};
+    wire [31:0] first_y_chosen_copy10 = sight_disc_out_d52 ? min_f32_ftz_unit_y : first_y_chosen_d2;
+    wire beyond_near = delay_30_from_0_out & le_f32_ftz_unit_y;
+    wire [31:0] center_depth_d39 = delay_8_from_1_out[31:0];
+    wire [31:0] middle_depth_chosen = delay_37_from_1_out ? center_depth_d39 : 32'd0;
+    wire [31:0] middle_depth = beyond_near ? spread_middle_d5 : middle_depth_chosen;
+    wire not_depth_a_sign = ~depth_a[31];
+    wire [31:0] center_x_d24 = delay_24_from_0_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy7_b_bits = {~mul_f32_ftz_unit_copy11_y[31], mul_f32_ftz_unit_copy11_y[30:0]};
     wire [31:0] minus_filter_radius = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] center_y_d22 = delay_22_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy9_b_bits = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
-    wire [31:0] center_y_d42 = delay_20_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
-    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy12_b_bits_2 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy13_b_bits = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
-    wire [31:0] middle_depth_d7 = delay_7_from_1_out[31:0];
-    wire [31:0] add_f32_ftz_unit_copy15_b_bits = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
-    wire [31:0] center_depth_d9 = delay_8_from_1_out[159:128];
-    wire [31:0] middle_depth = beyond_near ? delay_5_from_1_out : center_depth_d9;
-    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~mul_f32_ftz_unit_copy14_y[31], mul_f32_ftz_unit_copy14_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
+    wire [31:0] center_y_d24 = delay_24_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy14_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy18_b_bits = {~mul_f32_ftz_unit_copy22_y[31], mul_f32_ftz_unit_copy22_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy19_b_bits = {~mul_f32_ftz_unit_copy24_y[31], mul_f32_ftz_unit_copy24_y[30:0]};
+    wire [31:0] middle_depth_d7 = delay_7_from_1_out[32:1];
+    wire [31:0] f_chosen = whole_d1 ? e_d2 : delay_26_from_1_out;
+    wire [31:0] b_depth_d8 = delay_8_from_0_out[31:0];
+    wire [31:0] alpha_joined_d11 = delay_11_from_0_out[95:64];
+    wire [31:0] beta_joined_d11 = delay_11_from_0_out[191:160];
+    wire [31:0] b_depth_d31 = delay_12_from_0_out[32:1];
+    wire [31:0] spread_half_d9 = delay_5_from_0_out[32:1];
+    wire [31:0] half_depth_chosen_d41 = delay_41_from_1_out[31:0];
+    wire [31:0] half_depth = beyond_near ? spread_half_d9 : half_depth_chosen_d41;
+    wire [31:0] v_x_chosen_d15 = delay_15_from_0_out[31:0];
+    wire [31:0] a_x_joined_d11 = delay_11_from_0_out[31:0];
+    wire [31:0] b_x_joined_d11 = delay_11_from_0_out[127:96];
+    wire [31:0] mul_f32_ftz_unit_copy11_a_choice = phase ? beta_d11 : recip_f32_ftz_unit_y;
+    wire [31:0] t_x_sum_d10 = delay_10_from_1_out[31:0];
+    wire [31:0] a_x_squared_plus_b_x_squared_d10 = delay_10_from_1_out[63:32];
+    wire [31:0] first_x_chosen_d43 = delay_43_from_1_out[31:0];
+    wire [31:0] v_y_chosen_d15 = delay_15_from_0_out[63:32];
+    wire [31:0] mul_f32_ftz_unit_copy16_b_choice = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy16_y;
+    wire [31:0] a_y_joined_d11 = delay_11_from_0_out[63:32];
+    wire [31:0] b_y_joined_d11 = delay_11_from_0_out[159:128];
+    wire [31:0] t_y_sum_d10 = delay_10_from_1_out[95:64];
+    wire [31:0] a_y_squared_plus_b_y_squared_d10 = delay_10_from_1_out[127:96];
+    wire [31:0] first_y_chosen_d43 = delay_43_from_1_out[63:32];
+    wire [31:0] sight_near_out_joined = {not_depth_a_sign, depth_a[30:0]};
+    wire [31:0] q_d6 = delay_6_from_0_out[31:0];
+    wire [31:0] delay_31_from_0_data_bits = {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] last_x_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_y : last_x_chosen_d2;
+    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
+    wire not_turned_d18 = delay_17_from_0_out[0];
+    wire [10:0] lowered_plus_m_exponent = lowered_d27 + m_exponent_d1;
+    wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
+    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
+    wire [10:0] largest_sum = delay_25_from_0_out + a_exponent_plus_b_exponent;
+    wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
+    wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
+    wire [30:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d4_copy6} : 31'd0;
+    wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
+    wire [30:0] b_y_chosen_copy2 = b_y_either ? {b_y_chosen_d1, lowered_chosen_bits_d4_copy5} : 31'd0;
+    wire b_x_either = b_x_in_order_and_b_x_inverted_d1 | lowered_chosen_bits_is_255_d1_copy4;
+    wire [30:0] b_x_chosen_copy2 = b_x_either ? {b_x_chosen_d1, lowered_chosen_bits_d4_copy4} : 31'd0;
+    wire alpha_either = alpha_both_d1 | lowered_chosen_bits_is_255_d1_copy3;
+    wire [30:0] alpha_chosen_copy2 = alpha_either ? {alpha_chosen_d1, lowered_chosen_bits_d4_copy3} : 31'd0;
+    wire a_y_either = a_y_in_order_and_a_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy2;
+    wire [30:0] a_y_chosen_copy2 = a_y_either ? {a_y_chosen_d1, lowered_chosen_bits_d4_copy2} : 31'd0;
+    wire a_x_either = a_x_in_order_and_a_x_inverted_d1 | lowered_chosen_bits_is_255_d1;
+    wire [30:0] a_x_chosen_copy2 = a_x_either ? {a_x_chosen_d1, lowered_chosen_bits_d4} : 31'd0;
+    wire zero_is_alpha_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_y[30:23]};
+    wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
+    wire zero_is_beta_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_copy2_y[30:23]};
+    wire not_zero_is_beta_bits = ~zero_is_beta_bits;
+    wire [31:0] v_y_chosen = swapped_d2 ? tangent2_y_d3 : tangent1_y_d3;
+    wire [31:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d3;
+    wire [31:0] v_x_chosen = swapped_d2 ? tangent2_x_d3 : tangent1_x_d3;
+    wire [31:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d3;
+    wire last_y_chosen_d51 = delay_51_from_1_out[1];
+    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy16_y : 32'h45fff800;
+    wire first_y_chosen_d51 = delay_51_from_1_out[0];
+    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy16_y : 32'd0;
+    wire last_x_chosen_d51 = delay_51_from_0_out[2];
+    wire [31:0] last_x_chosen_copy2 = last_x_chosen_d51 ? add_f32_ftz_unit_copy9_y : 32'h45fff800;
+    wire first_x_chosen_d51 = delay_51_from_0_out[1];
+    wire [31:0] first_x_chosen_copy8 = first_x_chosen_d51 ? add_f32_ftz_unit_copy9_y : 32'd0;
+    wire all_before_far = delay_30_from_0_out & le_f32_ftz_unit_copy2_y;
     wire visible_unequal = scale_x[31] ^ scale_y[31];
-    wire visible_unequal_copy2 = add_f32_ftz_unit_copy11_y[31] ^ visible_unequal;
+    wire swapped_and_turned = swapped_d2 & turned;
+    wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[31];
+    wire [31:0] ay_out = delay_35_from_0_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
+    wire [31:0] ax_out = delay_35_from_0_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
+    wire edge_on_lesser_below_32_d7 = delay_7_from_0_out[1];
+    wire doubtful_either = unit_delta_bits_is_zero_d1 | doubtful_in_order_d1;
+    wire doubtful = edge_on_lesser_below_32_d7 | doubtful_either;
+    wire turned_and_lowered_chosen_sign_d37 = delay_37_from_0_out[0];
+    wire sight_negative_out = unit_delta_sign_d1 ^ turned_and_lowered_chosen_sign_d37;
+    wire visible_unequal_d37 = delay_37_from_0_out[1];
+    wire visible_unequal_copy3 = sight_negative_out ^ visible_unequal_d37;
+    wire doubtful_or_visible_unequal = doubtful | visible_unequal_copy3;
+    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on = edge_on_lesser_below_32_d7 | edge_on_either;
+    wire last_x_chosen = scale_x[31] ? lt_f32_ftz_unit_copy3_y : lt_f32_ftz_unit_copy4_y;
+    wire first_x_chosen_copy7 = scale_x[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy3_y;
+    wire before_far_both = not_turned_d18 & le_f32_ftz_unit_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d18 & before_far_both;
+    wire before_far_in_order_d14 = delay_14_from_1_out[1];
+    wire before_far = before_far_both | before_far_in_order_d14;
+    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire beyond_near_and_not_turned = beyond_near_d7 & not_turned_d1;
+    wire [31:0] half_depth_chosen = beyond_near_and_not_turned_d14 ? min_f32_ftz_unit_y : 32'h3f800000;
+    wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
+    wire [30:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? my_joined_d1 : 31'd0;
+    wire [31:0] my = {my_bits_d2, my_chosen_copy2};
+    wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
+    wire [30:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? mx_joined_d1_copy3 : 31'd0;
+    wire [31:0] mx = {mx_bits_d2, mx_chosen_copy6};
+    wire b_y_sign_d11 = delay_10_from_1_out[231];
+    wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d11 | by_out_both_d1;
+    wire [22:0] b_y_bits_d11_copy2 = delay_10_from_1_out[230:208];
+    wire [30:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? {by_out_chosen_d1, b_y_bits_d11_copy2} : 31'd0;
+    wire b_x_sign_d11 = delay_10_from_1_out[205];
+    wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d11 | bx_out_both_d1;
+    wire [22:0] b_x_bits_d11_copy2 = delay_10_from_1_out[204:182];
+    wire [30:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d11_copy2} : 31'd0;
+    wire [31:0] first_y_chosen_copy5 = lt_f32_ftz_unit_copy4_y ? center_y_minus_first_y_joined_d2 : center_y_plus_first_y_joined_d2;
+    wire [31:0] first_x_chosen_copy5 = first_x_in_order_d1_copy3 ? center_x_minus_first_x_joined_d2 : center_x_plus_first_x_joined_d2;
+    wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy5_y;
+    wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy5_y : lt_f32_ftz_unit_copy4_y;
 
     assign in_ready = load_0;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
-        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
-        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
-        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
-        out_right, out_top, out_bottom
+        out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc, out_depth,
+        out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
+        out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
+        out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
+        out_bottom
     } = queue_out_data;
 
-    memory_1w1r #(.WIDTH(225), .DEPTH(78)) delay_79_from_0 (
-        .clk(clk), .write(load_0), .write_address(delay_79_from_0_pointer),
+    memory_1w1r #(.WIDTH(225), .DEPTH(83)) delay_84_from_0 (
+        .clk(clk), .write(load_0), .write_address(delay_84_from_0_pointer),
         .write_data({
             in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
             in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
             in_attribute_1, in_attribute_0, in_end
         }),
-        .read(load_0), .read_address(delay_79_from_0_pointer), .read_data(delay_79_from_0_out)
+        .read(load_0), .read_address(delay_84_from_0_pointer), .read_data(delay_84_from_0_out)
     );
 
-    stream_skid_w621 queue (
+    memory_1w1r #(.WIDTH(1), .DEPTH(75)) delay_76_from_1 (
+        .clk(clk), .write(load_1), .write_address(delay_76_from_1_pointer), .write_data(reaches_near),
+        .read(load_1), .read_address(delay_76_from_1_pointer), .read_data(delay_76_from_1_out)
+    );
+
+    stream_skid_w686 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d79, center_x_d54, center_y_d54, a_x_d51, b_x_d51, a_y_d51, b_y_d51, delta_out, mx_d43, my_d43,
-            depth_out_d17, depth_low_out_d7, depth_high_out_d7, attribute_0_d79, attribute_1_d79, attribute_2_d79,
-            attribute_3_d79, attribute_4_d79, attribute_5_d79, attribute_6_d79, attribute_7_d79, attribute_8_d79,
-            attribute_9_d79, attribute_10_d79, attribute_11_d79, attribute_12_d79, cardinal_0_d79, first_x_d1,
+            end_d84, center_x_d56, center_y_d56, ax_out_d41, bx_out_d42, ay_out_d41, by_out_d42, delta_out,
+            mx_d42, my_d42, sight_negative_out_d44, sight_near_out, sight_far_out, turned_d81, sight_disc_out_d58,
+            depth_out_d17, depth_low_out_d7, depth_high_out_d6, attribute_0_d84, attribute_1_d84, attribute_2_d84,
+            attribute_3_d84, attribute_4_d84, attribute_5_d84, attribute_6_d84, attribute_7_d84, attribute_8_d84,
+            attribute_9_d84, attribute_10_d84, attribute_11_d84, attribute_12_d84, cardinal_0_d84, first_x_d1,
             last_x_d1, first_y_d1, last_y_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
+    float_max_s2_f32ftz max_f32_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_a), .b(max_f32_ftz_unit_b),
+        .y(max_f32_ftz_unit_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy2_a), .b(max_f32_ftz_unit_copy2_b),
+        .y(max_f32_ftz_unit_copy2_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy3_a), .b(max_f32_ftz_unit_copy3_b),
+        .y(max_f32_ftz_unit_copy3_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy4_a), .b(max_f32_ftz_unit_copy4_b),
+        .y(max_f32_ftz_unit_copy4_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy5_a), .b(max_f32_ftz_unit_copy5_b),
+        .y(max_f32_ftz_unit_copy5_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy6 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy6_a), .b(max_f32_ftz_unit_copy6_b),
+        .y(max_f32_ftz_unit_copy6_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_a), .b(lt_f32_ftz_unit_b),
+        .y(lt_f32_ftz_unit_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy2_a), .b(lt_f32_ftz_unit_copy2_b),
+        .y(lt_f32_ftz_unit_copy2_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy3_a), .b(lt_f32_ftz_unit_copy3_b),
+        .y(lt_f32_ftz_unit_copy3_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy4_a), .b(lt_f32_ftz_unit_copy4_b),
+        .y(lt_f32_ftz_unit_copy4_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(lt_f32_ftz_unit_copy5_a), .b(lt_f32_ftz_unit_copy5_b),
+        .y(lt_f32_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b),
+        .y(add_f32_ftz_unit_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
+        .y(add_f32_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
+        .y(add_f32_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
+        .y(add_f32_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
+        .y(add_f32_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
+        .y(add_f32_ftz_unit_copy6_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
+        .y(add_f32_ftz_unit_copy7_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
+        .y(add_f32_ftz_unit_copy8_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_a), .b(add_f32_ftz_unit_copy9_b),
+        .y(add_f32_ftz_unit_copy9_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_a), .b(add_f32_ftz_unit_copy10_b),
+        .y(add_f32_ftz_unit_copy10_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_a), .b(add_f32_ftz_unit_copy11_b),
+        .y(add_f32_ftz_unit_copy11_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_a), .b(add_f32_ftz_unit_copy12_b),
+        .y(add_f32_ftz_unit_copy12_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_a), .b(add_f32_ftz_unit_copy13_b),
+        .y(add_f32_ftz_unit_copy13_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_a), .b(add_f32_ftz_unit_copy14_b),
+        .y(add_f32_ftz_unit_copy14_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy15_a), .b(add_f32_ftz_unit_copy15_b),
+        .y(add_f32_ftz_unit_copy15_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_a), .b(add_f32_ftz_unit_copy16_b),
+        .y(add_f32_ftz_unit_copy16_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_a), .b(add_f32_ftz_unit_copy17_b),
+        .y(add_f32_ftz_unit_copy17_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy18 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_a), .b(add_f32_ftz_unit_copy18_b),
+        .y(add_f32_ftz_unit_copy18_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy19 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_a), .b(add_f32_ftz_unit_copy19_b),
+        .y(add_f32_ftz_unit_copy19_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy20 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy20_a), .b(add_f32_ftz_unit_copy20_b),
+        .y(add_f32_ftz_unit_copy20_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy21 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy21_a), .b(add_f32_ftz_unit_copy21_b),
+        .y(add_f32_ftz_unit_copy21_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy22_a), .b(add_f32_ftz_unit_copy22_b),
+        .y(add_f32_ftz_unit_copy22_y)
+    );
+
     float_recip_s28_f32ftz recip_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_a), .y(recip_f32_ftz_unit_y)
+    );
+
+    float_recip_s28_f32ftz recip_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(recip_f32_ftz_unit_copy2_a), .y(recip_f32_ftz_unit_copy2_y)
     );
 
     float_mul_s6_f32ftz mul_f32_ftz_unit (
@@ -6897,93 +7881,24 @@ module splat_setup (
         .y(mul_f32_ftz_unit_copy23_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_a), .b(add_f32_ftz_unit_b),
-        .y(add_f32_ftz_unit_y)
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy24 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy24_a), .b(mul_f32_ftz_unit_copy24_b),
+        .y(mul_f32_ftz_unit_copy24_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_a), .b(add_f32_ftz_unit_copy2_b),
-        .y(add_f32_ftz_unit_copy2_y)
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy25 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy25_a), .b(mul_f32_ftz_unit_copy25_b),
+        .y(mul_f32_ftz_unit_copy25_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_a), .b(add_f32_ftz_unit_copy3_b),
-        .y(add_f32_ftz_unit_copy3_y)
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy26 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy26_a), .b(mul_f32_ftz_unit_copy26_b),
+        .y(mul_f32_ftz_unit_copy26_y)
     );
 
-    float_add_s6_f32ftz add_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_a), .b(add_f32_ftz_unit_copy4_b),
-        .y(add_f32_ftz_unit_copy4_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_a), .b(add_f32_ftz_unit_copy5_b),
-        .y(add_f32_ftz_unit_copy5_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy6 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_a), .b(add_f32_ftz_unit_copy6_b),
-        .y(add_f32_ftz_unit_copy6_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy7 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_a), .b(add_f32_ftz_unit_copy7_b),
-        .y(add_f32_ftz_unit_copy7_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy8 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_a), .b(add_f32_ftz_unit_copy8_b),
-        .y(add_f32_ftz_unit_copy8_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy9 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_a), .b(add_f32_ftz_unit_copy9_b),
-        .y(add_f32_ftz_unit_copy9_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy10 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy10_a), .b(add_f32_ftz_unit_copy10_b),
-        .y(add_f32_ftz_unit_copy10_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy11 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_a), .b(add_f32_ftz_unit_copy11_b),
-        .y(add_f32_ftz_unit_copy11_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy12 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_a), .b(add_f32_ftz_unit_copy12_b),
-        .y(add_f32_ftz_unit_copy12_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy13 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_a), .b(add_f32_ftz_unit_copy13_b),
-        .y(add_f32_ftz_unit_copy13_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy14 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_a), .b(add_f32_ftz_unit_copy14_b),
-        .y(add_f32_ftz_unit_copy14_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy15 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy15_a), .b(add_f32_ftz_unit_copy15_b),
-        .y(add_f32_ftz_unit_copy15_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy16 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_a), .b(add_f32_ftz_unit_copy16_b),
-        .y(add_f32_ftz_unit_copy16_y)
-    );
-
-    float_add_s6_f32ftz add_f32_ftz_unit_copy17 (
-        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_a), .b(add_f32_ftz_unit_copy17_b),
-        .y(add_f32_ftz_unit_copy17_y)
-    );
-
-    float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(32'h39800000), .b(add_f32_ftz_unit_y), .y(lt_f32_ftz_unit_y)
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy27 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy27_a), .b(mul_f32_ftz_unit_copy27_b),
+        .y(mul_f32_ftz_unit_copy27_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (
@@ -6992,6 +7907,16 @@ module splat_setup (
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy2_a), .y(sqrt_f32_ftz_unit_copy2_y)
+    );
+
+    float_le_s2_f32ftz le_f32_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b),
+        .y(le_f32_ftz_unit_y)
+    );
+
+    float_le_s2_f32ftz le_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_copy2_a), .b(le_f32_ftz_unit_copy2_b),
+        .y(le_f32_ftz_unit_copy2_y)
     );
 
     float_min_s2_f32ftz min_f32_ftz_unit (
@@ -7009,31 +7934,6 @@ module splat_setup (
         .y(min_f32_ftz_unit_copy3_y)
     );
 
-    float_max_s2_f32ftz max_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_a), .b(max_f32_ftz_unit_b),
-        .y(max_f32_ftz_unit_y)
-    );
-
-    float_max_s2_f32ftz max_f32_ftz_unit_copy2 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy2_a), .b(max_f32_ftz_unit_copy2_b),
-        .y(max_f32_ftz_unit_copy2_y)
-    );
-
-    float_max_s2_f32ftz max_f32_ftz_unit_copy3 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy3_a), .b(max_f32_ftz_unit_copy3_b),
-        .y(max_f32_ftz_unit_copy3_y)
-    );
-
-    float_max_s2_f32ftz max_f32_ftz_unit_copy4 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy4_a), .b(max_f32_ftz_unit_copy4_b),
-        .y(max_f32_ftz_unit_copy4_y)
-    );
-
-    float_max_s2_f32ftz max_f32_ftz_unit_copy5 (
-        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy5_a), .b(max_f32_ftz_unit_copy5_b),
-        .y(max_f32_ftz_unit_copy5_y)
-    );
-
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_a),
         .y(to_fixed_f32_ftz_u21q8_unit_y)
@@ -7042,11 +7942,6 @@ module splat_setup (
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
-    );
-
-    float_le_s2_f32ftz le_f32_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f32_ftz_unit_a), .b(le_f32_ftz_unit_b),
-        .y(le_f32_ftz_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit (
@@ -7065,338 +7960,860 @@ module splat_setup (
             load_0 <= 1'd1;
             load_1 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_10_from_0_pointer <= 4'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
+            delay_8_from_0_pointer <= 3'd0;
+            delay_9_from_0_pointer <= 3'd0;
             delay_11_from_0_pointer <= 4'd0;
             delay_12_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
             delay_15_from_0_pointer <= 4'd0;
             delay_17_from_0_pointer <= 4'd0;
-            delay_19_from_0_pointer <= 5'd0;
             delay_20_from_0_pointer <= 5'd0;
-            delay_22_from_0_pointer <= 5'd0;
-            delay_28_from_0_pointer <= 5'd0;
-            delay_42_from_0_pointer <= 6'd0;
-            delay_43_from_0_pointer <= 6'd0;
-            delay_79_from_0_pointer <= 7'd0;
-            delay_5_from_1_pointer <= 2'd0;
+            delay_24_from_0_pointer <= 5'd0;
+            delay_25_from_0_pointer <= 5'd0;
+            delay_30_from_0_pointer <= 5'd0;
+            delay_31_from_0_pointer <= 5'd0;
+            delay_35_from_0_pointer <= 6'd0;
+            delay_37_from_0_pointer <= 6'd0;
+            delay_40_from_0_pointer <= 6'd0;
+            delay_41_from_0_pointer <= 6'd0;
+            delay_44_from_0_pointer <= 6'd0;
+            delay_51_from_0_pointer <= 6'd0;
+            delay_57_from_0_pointer <= 6'd0;
+            delay_84_from_0_pointer <= 7'd0;
             delay_7_from_1_pointer <= 3'd0;
             delay_8_from_1_pointer <= 3'd0;
-            delay_17_from_1_pointer <= 4'd0;
-            delay_29_from_1_pointer <= 5'd0;
-            delay_50_from_1_pointer <= 6'd0;
-            in_flight <= 79'd0;
+            delay_9_from_1_pointer <= 3'd0;
+            delay_10_from_1_pointer <= 4'd0;
+            delay_14_from_1_pointer <= 4'd0;
+            delay_21_from_1_pointer <= 5'd0;
+            delay_26_from_1_pointer <= 5'd0;
+            delay_31_from_1_pointer <= 5'd0;
+            delay_34_from_1_pointer <= 6'd0;
+            delay_37_from_1_pointer <= 6'd0;
+            delay_41_from_1_pointer <= 6'd0;
+            delay_42_from_1_pointer <= 6'd0;
+            delay_43_from_1_pointer <= 6'd0;
+            delay_51_from_1_pointer <= 6'd0;
+            delay_76_from_1_pointer <= 7'd0;
+            in_flight <= 84'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & ~phase_next;
             load_1 <= advance_next & phase_next;
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
+                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
                 delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
                 delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
                 delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
                 delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-                delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
-                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
-                delay_42_from_0_pointer <= (delay_42_from_0_pointer == 6'd40) ? (delay_42_from_0_pointer - 6'd40) : (delay_42_from_0_pointer + 6'd1);
-                delay_43_from_0_pointer <= (delay_43_from_0_pointer == 6'd41) ? (delay_43_from_0_pointer - 6'd41) : (delay_43_from_0_pointer + 6'd1);
-                delay_79_from_0_pointer <= (delay_79_from_0_pointer == 7'd77) ? (delay_79_from_0_pointer - 7'd77) : (delay_79_from_0_pointer + 7'd1);
-                in_flight <= {in_flight[77:0], in_valid};
+                delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
+                delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+                delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+                delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+                delay_35_from_0_pointer <= (delay_35_from_0_pointer == 6'd33) ? (delay_35_from_0_pointer - 6'd33) : (delay_35_from_0_pointer + 6'd1);
+                delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
+                delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
+                delay_41_from_0_pointer <= (delay_41_from_0_pointer == 6'd39) ? (delay_41_from_0_pointer - 6'd39) : (delay_41_from_0_pointer + 6'd1);
+                delay_44_from_0_pointer <= (delay_44_from_0_pointer == 6'd42) ? (delay_44_from_0_pointer - 6'd42) : (delay_44_from_0_pointer + 6'd1);
+                delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
+                delay_57_from_0_pointer <= (delay_57_from_0_pointer == 6'd55) ? (delay_57_from_0_pointer - 6'd55) : (delay_57_from_0_pointer + 6'd1);
+                delay_84_from_0_pointer <= (delay_84_from_0_pointer == 7'd82) ? (delay_84_from_0_pointer - 7'd82) : (delay_84_from_0_pointer + 7'd1);
+                in_flight <= {in_flight[82:0], in_valid};
             end
             if (load_1) begin
-                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
                 delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
-                delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
-                delay_29_from_1_pointer <= (delay_29_from_1_pointer == 5'd27) ? (delay_29_from_1_pointer - 5'd27) : (delay_29_from_1_pointer + 5'd1);
-                delay_50_from_1_pointer <= (delay_50_from_1_pointer == 6'd48) ? (delay_50_from_1_pointer - 6'd48) : (delay_50_from_1_pointer + 6'd1);
+                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
+                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_14_from_1_pointer <= (delay_14_from_1_pointer == 4'd12) ? (delay_14_from_1_pointer - 4'd12) : (delay_14_from_1_pointer + 4'd1);
+                delay_21_from_1_pointer <= (delay_21_from_1_pointer == 5'd19) ? (delay_21_from_1_pointer - 5'd19) : (delay_21_from_1_pointer + 5'd1);
+                delay_26_from_1_pointer <= (delay_26_from_1_pointer == 5'd24) ? (delay_26_from_1_pointer - 5'd24) : (delay_26_from_1_pointer + 5'd1);
+                delay_31_from_1_pointer <= (delay_31_from_1_pointer == 5'd29) ? (delay_31_from_1_pointer - 5'd29) : (delay_31_from_1_pointer + 5'd1);
+                delay_34_from_1_pointer <= (delay_34_from_1_pointer == 6'd32) ? (delay_34_from_1_pointer - 6'd32) : (delay_34_from_1_pointer + 6'd1);
+                delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
+                delay_41_from_1_pointer <= (delay_41_from_1_pointer == 6'd39) ? (delay_41_from_1_pointer - 6'd39) : (delay_41_from_1_pointer + 6'd1);
+                delay_42_from_1_pointer <= (delay_42_from_1_pointer == 6'd40) ? (delay_42_from_1_pointer - 6'd40) : (delay_42_from_1_pointer + 6'd1);
+                delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+                delay_51_from_1_pointer <= (delay_51_from_1_pointer == 6'd49) ? (delay_51_from_1_pointer - 6'd49) : (delay_51_from_1_pointer + 6'd1);
+                delay_76_from_1_pointer <= (delay_76_from_1_pointer == 7'd74) ? (delay_76_from_1_pointer - 7'd74) : (delay_76_from_1_pointer + 7'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            q_d1 <= add_f32_ftz_unit_y;
-            q_d2 <= q_d1;
-            q_d3 <= q_d2;
-            q_d4 <= q_d3;
-            r_times_tangent1_x_d1 <= mul_f32_ftz_unit_copy4_y;
-            r_times_tangent1_x_d2 <= r_times_tangent1_x_d1;
-            r_times_tangent1_x_d3 <= r_times_tangent1_x_d2;
-            r_times_tangent1_x_d4 <= r_times_tangent1_x_d3;
-            r_times_tangent2_x_d1 <= mul_f32_ftz_unit_copy5_y;
-            r_times_tangent2_x_d2 <= r_times_tangent2_x_d1;
-            r_times_tangent2_x_d3 <= r_times_tangent2_x_d2;
-            r_times_tangent2_x_d4 <= r_times_tangent2_x_d3;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            first_x_d1 <= first_x;
-            last_x_d1 <= last_x;
-            occupied_x_d1 <= occupied_x;
-            r_times_tangent1_y_d1 <= mul_f32_ftz_unit_copy12_y;
-            r_times_tangent1_y_d2 <= r_times_tangent1_y_d1;
-            r_times_tangent1_y_d3 <= r_times_tangent1_y_d2;
-            r_times_tangent1_y_d4 <= r_times_tangent1_y_d3;
-            r_times_tangent2_y_d1 <= mul_f32_ftz_unit_copy13_y;
-            r_times_tangent2_y_d2 <= r_times_tangent2_y_d1;
-            r_times_tangent2_y_d3 <= r_times_tangent2_y_d2;
-            r_times_tangent2_y_d4 <= r_times_tangent2_y_d3;
-            center_y_minus_filter_radius_d1 <= add_f32_ftz_unit_copy10_y;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            first_y_d1 <= first_y;
-            last_y_d1 <= last_y;
-            occupied_y_d1 <= occupied_y;
-            a_x_times_b_y_d1 <= mul_f32_ftz_unit_copy19_y;
-            delta_bits_is_zero_d1 <= delta_bits_is_zero;
-            a_x_times_b_y_bits_d1 <= a_x_times_b_y_d1[30:23];
-            a_x_times_b_y_bits_d2 <= a_x_times_b_y_bits_d1;
-            a_x_times_b_y_bits_d3 <= a_x_times_b_y_bits_d2;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            b_depth_d29 <= delay_28_from_0_out;
-            abs_b_depth_d1 <= {1'd0, delay_28_from_0_out[30:0]};
-            spread_half_d1 <= mul_f32_ftz_unit_copy22_y;
+            center_x_d1 <= in_center_x;
+            center_x_d2 <= center_x_d1;
+            center_x_d3 <= center_x_d2;
+            center_y_d1 <= in_center_y;
+            center_y_d2 <= center_y_d1;
+            center_y_d3 <= center_y_d2;
+            center_z_d1 <= in_center_z;
+            center_z_d2 <= center_z_d1;
+            center_z_d3 <= center_z_d2;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_x_d2 <= tangent1_x_d1;
+            tangent1_x_d3 <= tangent1_x_d2;
+            tangent1_y_d1 <= in_tangent1_y;
+            tangent1_y_d2 <= tangent1_y_d1;
+            tangent1_y_d3 <= tangent1_y_d2;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
+            tangent1_z_d3 <= tangent1_z_d2;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_x_d2 <= tangent2_x_d1;
+            tangent2_x_d3 <= tangent2_x_d2;
+            tangent2_y_d1 <= in_tangent2_y;
+            tangent2_y_d2 <= tangent2_y_d1;
+            tangent2_y_d3 <= tangent2_y_d2;
+            tangent2_z_d1 <= in_tangent2_z;
+            tangent2_z_d2 <= tangent2_z_d1;
+            tangent2_z_d3 <= tangent2_z_d2;
+            first_x_both_d1 <= first_x_both_copy3;
+            first_x_either_d1 <= first_x_either;
+            first_y_both_d1 <= first_y_both_copy3;
+            first_y_either_d1 <= first_y_either;
+            reaches_near_both_d1 <= reaches_near_both_copy3;
+            reaches_near_either_d1 <= reaches_near_either;
+            turned_greater_d1 <= turned_greater;
+            center_z_bits_plus_10_d1 <= center_z_bits_plus_10;
+            lowered_chosen_bits_d1 <= lowered_chosen_copy6[30:23];
+            lowered_chosen_bits_d1_copy3 <= lowered_chosen_copy7[30:23];
+            lowered_chosen_bits_d1_copy5 <= lowered_chosen_copy8[30:23];
+            lowered_greater_d1_copy2 <= lowered_greater_copy2;
+            lowered_chosen_bits_d1_copy7 <= lowered_chosen_copy9[30:23];
+            lowered_chosen_bits_d1_copy9 <= lowered_chosen_copy10[30:23];
+            lowered_greater_d1_copy4 <= lowered_greater_copy4;
+            lowered_chosen_bits_d1_copy11 <= lowered_chosen_copy11[30:23];
+            lowered_chosen_bits_d1_copy13 <= lowered_chosen_copy5[30:23];
+            lowered_chosen_bits_plus_60_d1 <= lowered_chosen_bits_plus_60;
+            lowered_chosen_bits_plus_60_d2 <= lowered_chosen_bits_plus_60_d1;
+            lowered_d1 <= lowered;
+            lowered_d27 <= delay_25_from_0_out;
+            lowered_chosen_bits_is_255_d1 <= lowered_chosen_bits_is_255;
+            lowered_chosen_bits_d1_copy14 <= lowered_chosen_copy6[22:0];
+            lowered_chosen_bits_d2_copy7 <= lowered_chosen_bits_d1_copy14;
+            lowered_chosen_bits_d3_copy7 <= lowered_chosen_bits_d2_copy7;
+            lowered_chosen_bits_d4 <= lowered_chosen_bits_d3_copy7;
+            lowered_chosen_sign_d1 <= lowered_chosen_copy6[31];
+            lowered_chosen_sign_d2 <= lowered_chosen_sign_d1;
+            lowered_chosen_sign_d3 <= lowered_chosen_sign_d2;
+            lowered_chosen_sign_d4 <= lowered_chosen_sign_d3;
+            lowered_chosen_bits_is_255_d1_copy2 <= lowered_chosen_bits_is_255_copy2;
+            lowered_chosen_bits_d1_copy15 <= lowered_chosen_copy7[22:0];
+            lowered_chosen_bits_d2_copy8 <= lowered_chosen_bits_d1_copy15;
+            lowered_chosen_bits_d3_copy8 <= lowered_chosen_bits_d2_copy8;
+            lowered_chosen_bits_d4_copy2 <= lowered_chosen_bits_d3_copy8;
+            lowered_chosen_sign_d1_copy2 <= lowered_chosen_copy7[31];
+            lowered_chosen_sign_d2_copy2 <= lowered_chosen_sign_d1_copy2;
+            lowered_chosen_sign_d3_copy2 <= lowered_chosen_sign_d2_copy2;
+            lowered_chosen_sign_d4_copy2 <= lowered_chosen_sign_d3_copy2;
+            lowered_chosen_bits_is_255_d1_copy3 <= lowered_chosen_bits_is_255_copy3;
+            lowered_chosen_bits_d1_copy16 <= lowered_chosen_copy8[22:0];
+            lowered_chosen_bits_d2_copy9 <= lowered_chosen_bits_d1_copy16;
+            lowered_chosen_bits_d3_copy9 <= lowered_chosen_bits_d2_copy9;
+            lowered_chosen_bits_d4_copy3 <= lowered_chosen_bits_d3_copy9;
+            lowered_chosen_sign_d1_copy3 <= lowered_chosen_copy8[31];
+            lowered_chosen_sign_d2_copy3 <= lowered_chosen_sign_d1_copy3;
+            lowered_chosen_sign_d3_copy3 <= lowered_chosen_sign_d2_copy3;
+            lowered_chosen_sign_d4_copy3 <= lowered_chosen_sign_d3_copy3;
+            lowered_chosen_bits_is_255_d1_copy4 <= lowered_chosen_bits_is_255_copy4;
+            lowered_chosen_bits_d1_copy17 <= lowered_chosen_copy9[22:0];
+            lowered_chosen_bits_d2_copy10 <= lowered_chosen_bits_d1_copy17;
+            lowered_chosen_bits_d3_copy10 <= lowered_chosen_bits_d2_copy10;
+            lowered_chosen_bits_d4_copy4 <= lowered_chosen_bits_d3_copy10;
+            lowered_chosen_sign_d1_copy4 <= lowered_chosen_copy9[31];
+            lowered_chosen_sign_d2_copy4 <= lowered_chosen_sign_d1_copy4;
+            lowered_chosen_sign_d3_copy4 <= lowered_chosen_sign_d2_copy4;
+            lowered_chosen_sign_d4_copy4 <= lowered_chosen_sign_d3_copy4;
+            lowered_chosen_bits_is_255_d1_copy5 <= lowered_chosen_bits_is_255_copy5;
+            lowered_chosen_bits_d1_copy18 <= lowered_chosen_copy10[22:0];
+            lowered_chosen_bits_d2_copy11 <= lowered_chosen_bits_d1_copy18;
+            lowered_chosen_bits_d3_copy11 <= lowered_chosen_bits_d2_copy11;
+            lowered_chosen_bits_d4_copy5 <= lowered_chosen_bits_d3_copy11;
+            lowered_chosen_sign_d1_copy5 <= lowered_chosen_copy10[31];
+            lowered_chosen_sign_d2_copy5 <= lowered_chosen_sign_d1_copy5;
+            lowered_chosen_sign_d3_copy5 <= lowered_chosen_sign_d2_copy5;
+            lowered_chosen_sign_d4_copy5 <= lowered_chosen_sign_d3_copy5;
+            lowered_chosen_bits_is_255_d1_copy6 <= lowered_chosen_bits_is_255_copy6;
+            lowered_chosen_bits_d1_copy19 <= lowered_chosen_copy11[22:0];
+            lowered_chosen_bits_d2_copy12 <= lowered_chosen_bits_d1_copy19;
+            lowered_chosen_bits_d3_copy12 <= lowered_chosen_bits_d2_copy12;
+            lowered_chosen_bits_d4_copy6 <= lowered_chosen_bits_d3_copy12;
+            lowered_chosen_sign_d1_copy6 <= lowered_chosen_copy11[31];
+            lowered_chosen_sign_d2_copy6 <= lowered_chosen_sign_d1_copy6;
+            lowered_chosen_sign_d3_copy6 <= lowered_chosen_sign_d2_copy6;
+            lowered_chosen_sign_d4_copy6 <= lowered_chosen_sign_d3_copy6;
+            not_turned_d1 <= not_turned;
+            alpha_d12 <= alpha_d11;
+            alpha_d13 <= alpha_d12;
+            beta_d12 <= beta_d11;
+            beta_d13 <= beta_d12;
+            whole_d1 <= whole;
+            spread_half_d1 <= mul_f32_ftz_unit_copy5_y;
             spread_half_d2 <= spread_half_d1;
             spread_half_d3 <= spread_half_d2;
             spread_half_d4 <= spread_half_d3;
+            sight_disc_out_d52 <= sight_disc_out_d51;
+            a_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy8_y;
+            a_x_joined_times_r_d2 <= a_x_joined_times_r_d1;
+            a_x_joined_times_r_d3 <= a_x_joined_times_r_d2;
+            a_x_joined_times_r_d4 <= a_x_joined_times_r_d3;
+            b_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy9_y;
+            b_x_joined_times_r_d2 <= b_x_joined_times_r_d1;
+            b_x_joined_times_r_d3 <= b_x_joined_times_r_d2;
+            b_x_joined_times_r_d4 <= b_x_joined_times_r_d3;
+            center_x_d45 <= center_x_d44;
+            center_x_minus_t_x_d18 <= center_x_minus_t_x_d17;
+            minus_h_x_d1 <= {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
+            first_x_in_order_d1_copy3 <= lt_f32_ftz_unit_copy3_y;
+            first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy15_y[31], first_x_chosen_copy6};
+            first_x_chosen_d1 <= first_x_chosen_copy9;
+            first_x_chosen_d2 <= first_x_chosen_d1;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            first_x_shifted_d2 <= first_x_shifted_d1;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            first_x_d1 <= first_x;
+            last_x_d1 <= last_x;
+            a_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy17_y;
+            a_y_joined_times_r_d2 <= a_y_joined_times_r_d1;
+            a_y_joined_times_r_d3 <= a_y_joined_times_r_d2;
+            a_y_joined_times_r_d4 <= a_y_joined_times_r_d3;
+            b_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy18_y;
+            b_y_joined_times_r_d2 <= b_y_joined_times_r_d1;
+            b_y_joined_times_r_d3 <= b_y_joined_times_r_d2;
+            b_y_joined_times_r_d4 <= b_y_joined_times_r_d3;
+            center_y_d45 <= center_y_d44;
+            center_y_minus_t_y_d18 <= center_y_minus_t_y_d17;
+            minus_h_y_d1 <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+            first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy24_y[31], first_y_chosen_copy6};
+            first_y_chosen_d1 <= first_y_chosen_copy9;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            center_y_minus_filter_radius_d1 <= add_f32_ftz_unit_copy17_y;
+            last_y_chosen_d1_copy2 <= last_y_chosen_copy4;
+            last_y_lesser_d1 <= last_y_lesser;
+            first_y_d1 <= first_y;
+            unit_delta_both_d1 <= unit_delta_both;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            beta_bits_d12 <= beta_bits_d11;
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            alpha_bits_d12 <= alpha_bits_d11;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            mx_product_d1 <= mul_f32_ftz_unit_copy27_y;
+            largest_sum_d9 <= largest_sum_d8;
+            largest_greater_d1 <= largest_greater;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            ax_out_both_d1 <= ax_out_both;
+            ax_out_chosen_d1 <= ax_out_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_chosen_d1 <= ay_out_chosen[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_chosen_d1 <= bx_out_chosen[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            by_out_both_d1 <= by_out_both;
+            by_out_chosen_d1 <= by_out_chosen[7:0];
+            delta_sum_d1 <= delta_sum;
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_bits_d1 <= mx_bits_d1_bits;
+            mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy18_y[22:0];
+            mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_bits_d1_copy2};
+            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy18_y[31];
+            mx_bits_d2 <= mx_bits_d1_copy3;
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_both_d1 <= my_both;
+            my_bits_d1_copy2 <= add_f32_ftz_unit_copy19_y[22:0];
+            my_joined_d1 <= {my_chosen[7:0], my_bits_d1_copy2};
+            my_bits_d1_copy3 <= add_f32_ftz_unit_copy19_y[31];
+            my_bits_d2 <= my_bits_d1_copy3;
+            edge_on_lesser_d1 <= edge_on_lesser;
+            unit_delta_product_bits_d1 <= mul_f32_ftz_unit_copy25_y[30:23];
+            unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
+            unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
+            unit_delta_product_bits_d4 <= unit_delta_product_bits_d3;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy21_y;
         end
         if (load_1) begin
-            whole_d47 <= delay_17_from_1_out;
-            whole_d48 <= whole_d47;
-            whole_d49 <= whole_d48;
-            a_x_d1 <= mul_f32_ftz_unit_copy4_y;
-            b_x_d1 <= mul_f32_ftz_unit_copy6_y;
-            h_x_product_d1 <= mul_f32_ftz_unit_copy9_y;
+            first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
+            first_x_greater_bits_plus_1_d1 <= first_x_greater_bits_plus_1;
+            first_x_in_order_d1 <= first_x_in_order;
+            first_x_inverted_d1 <= first_x_inverted;
+            first_x_greater_bits_is_255_d1 <= first_x_greater_bits_is_255;
+            first_x_in_order_d1_copy2 <= first_x_in_order_copy2;
+            first_x_greater_bits_d1_copy2 <= max_f32_ftz_unit_y[22:0];
+            first_x_greater_sign_d1 <= max_f32_ftz_unit_y[31];
+            first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
+            first_y_greater_bits_d1 <= first_y_greater_bits_d1_bits;
+            first_y_greater_bits_plus_1_d1 <= first_y_greater_bits_plus_1;
+            first_y_in_order_d1 <= first_y_in_order;
+            first_y_inverted_d1 <= first_y_inverted;
+            first_y_greater_bits_is_255_d1 <= first_y_greater_bits_is_255;
+            first_y_in_order_d1_copy2 <= first_y_in_order_copy2;
+            first_y_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy2_y[22:0];
+            first_y_greater_sign_d1 <= max_f32_ftz_unit_copy2_y[31];
+            first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
+            reaches_near_greater_bits_d1 <= reaches_near_greater_bits_d1_bits;
+            reaches_near_sum_d1 <= reaches_near_sum;
+            zero_below_reaches_near_sum_d1 <= zero_below_reaches_near_sum;
+            not_reaches_near_same_d1 <= not_reaches_near_same;
+            reaches_near_same_d1 <= reaches_near_same_copy2;
+            reaches_near_in_order_d1 <= reaches_near_in_order;
+            reaches_near_greater_bits_d1_copy2 <= max_f32_ftz_unit_copy3_y[22:0];
+            reaches_near_greater_sign_d1 <= max_f32_ftz_unit_copy3_y[31];
+            reaches_near_joined_d1 <= {reaches_near_greater_sign_d1, reaches_near_chosen_copy4};
+            swapped_d1 <= lt_f32_ftz_unit_copy2_y;
+            swapped_d2 <= swapped_d1;
+            turned_in_order_d1 <= turned_in_order;
+            turned_either_d1 <= turned_either;
+            turned_either_d2 <= turned_either_d1;
+            lowered_chosen_bits_d1_copy2 <= {3'd0, lowered_chosen_bits_d1};
+            lowered_chosen_bits_d2 <= lowered_chosen_bits_d1_copy2;
+            lowered_chosen_bits_d3 <= lowered_chosen_bits_d2;
+            lowered_chosen_bits_d1_copy4 <= {3'd0, lowered_chosen_bits_d1_copy3};
+            lowered_chosen_bits_d2_copy2 <= lowered_chosen_bits_d1_copy4;
+            lowered_chosen_bits_d3_copy2 <= lowered_chosen_bits_d2_copy2;
+            lowered_greater_d1 <= lowered_greater;
+            lowered_chosen_bits_d1_copy6 <= {3'd0, lowered_chosen_bits_d1_copy5};
+            lowered_chosen_bits_d2_copy3 <= lowered_chosen_bits_d1_copy6;
+            lowered_chosen_bits_d3_copy3 <= lowered_chosen_bits_d2_copy3;
+            lowered_chosen_bits_d1_copy8 <= {3'd0, lowered_chosen_bits_d1_copy7};
+            lowered_chosen_bits_d2_copy4 <= lowered_chosen_bits_d1_copy8;
+            lowered_chosen_bits_d3_copy4 <= lowered_chosen_bits_d2_copy4;
+            lowered_greater_d1_copy3 <= lowered_greater_copy3;
+            lowered_chosen_bits_d1_copy10 <= {3'd0, lowered_chosen_bits_d1_copy9};
+            lowered_chosen_bits_d2_copy5 <= lowered_chosen_bits_d1_copy10;
+            lowered_chosen_bits_d3_copy5 <= lowered_chosen_bits_d2_copy5;
+            lowered_chosen_bits_d1_copy12 <= {3'd0, lowered_chosen_bits_d1_copy11};
+            lowered_chosen_bits_d2_copy6 <= lowered_chosen_bits_d1_copy12;
+            lowered_chosen_bits_d3_copy6 <= lowered_chosen_bits_d2_copy6;
+            lowered_greater_d1_copy5 <= lowered_greater_copy5;
+            a_x_inverted_d1 <= a_x_inverted;
+            a_x_inverted_d2 <= a_x_inverted_d1;
+            a_x_inverted_d3 <= a_x_inverted_d2;
+            a_x_in_order_and_a_x_inverted_d1 <= a_x_in_order_and_a_x_inverted;
+            a_x_chosen_d1 <= a_x_chosen[7:0];
+            a_y_inverted_d1 <= a_y_inverted;
+            a_y_inverted_d2 <= a_y_inverted_d1;
+            a_y_inverted_d3 <= a_y_inverted_d2;
+            a_y_in_order_and_a_y_inverted_d1 <= a_y_in_order_and_a_y_inverted;
+            a_y_chosen_d1 <= a_y_chosen[7:0];
+            alpha_inverted_d1 <= alpha_inverted;
+            alpha_inverted_d2 <= alpha_inverted_d1;
+            alpha_inverted_d3 <= alpha_inverted_d2;
+            alpha_both_d1 <= alpha_both;
+            alpha_chosen_d1 <= alpha_chosen[7:0];
+            b_x_inverted_d1 <= b_x_inverted;
+            b_x_inverted_d2 <= b_x_inverted_d1;
+            b_x_inverted_d3 <= b_x_inverted_d2;
+            b_x_in_order_and_b_x_inverted_d1 <= b_x_in_order_and_b_x_inverted;
+            b_x_chosen_d1 <= b_x_chosen[7:0];
+            b_y_inverted_d1 <= b_y_inverted;
+            b_y_inverted_d2 <= b_y_inverted_d1;
+            b_y_inverted_d3 <= b_y_inverted_d2;
+            b_y_in_order_and_b_y_inverted_d1 <= b_y_in_order_and_b_y_inverted;
+            b_y_chosen_d1 <= b_y_chosen[7:0];
+            beta_inverted_d1 <= beta_inverted;
+            beta_inverted_d2 <= beta_inverted_d1;
+            beta_inverted_d3 <= beta_inverted_d2;
+            beta_both_d1 <= beta_both;
+            beta_chosen_d1 <= beta_chosen[7:0];
+            beyond_near_and_not_turned_d15 <= beyond_near_and_not_turned_d14;
+            beyond_near_and_not_turned_d16 <= beyond_near_and_not_turned_d15;
+            beyond_near_and_not_turned_d17 <= beyond_near_and_not_turned_d16;
+            beyond_near_and_not_turned_d18 <= beyond_near_and_not_turned_d17;
+            reaches_near_sum_d1_copy2 <= add_f32_ftz_unit_y;
+            e_d1 <= add_f32_ftz_unit_copy2_y;
+            e_d2 <= e_d1;
+            spread_middle_d1 <= add_f32_ftz_unit_copy4_y;
+            spread_middle_d2 <= spread_middle_d1;
+            spread_middle_d3 <= spread_middle_d2;
+            spread_middle_d4 <= spread_middle_d3;
+            spread_middle_d5 <= spread_middle_d4;
+            root_of_q_d1 <= sqrt_f32_ftz_unit_y;
+            before_far_sum_d1 <= add_f32_ftz_unit_copy5_y;
+            before_far_joined_d1 <= {mul_f32_ftz_unit_copy5_y[31], before_far_chosen};
+            h_x_product_d1 <= mul_f32_ftz_unit_copy12_y;
             h_x_product_d2 <= h_x_product_d1;
             h_x_product_d3 <= h_x_product_d2;
             h_x_product_d4 <= h_x_product_d3;
-            first_x_chosen_d1 <= first_x_chosen;
-            first_x_chosen_d2 <= first_x_chosen_d1;
-            first_x_chosen_d3 <= first_x_chosen_d2;
+            center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy12_y;
+            center_x_minus_first_x_joined_d2 <= center_x_minus_first_x_joined_d1;
+            center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy13_y;
+            center_x_plus_first_x_joined_d2 <= center_x_plus_first_x_joined_d1;
+            last_x_chosen_d1 <= last_x_chosen_copy3;
+            last_x_chosen_d2 <= last_x_chosen_d1;
             last_x_lesser_d1 <= last_x_lesser;
-            a_y_d1 <= mul_f32_ftz_unit_copy11_y;
-            b_y_d1 <= mul_f32_ftz_unit_copy13_y;
-            h_y_product_d1 <= mul_f32_ftz_unit_copy16_y;
+            h_y_product_d1 <= mul_f32_ftz_unit_copy20_y;
             h_y_product_d2 <= h_y_product_d1;
             h_y_product_d3 <= h_y_product_d2;
             h_y_product_d4 <= h_y_product_d3;
-            first_y_chosen_d1 <= first_y_chosen;
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            first_y_chosen_d3 <= first_y_chosen_d2;
-            last_y_lesser_d1 <= last_y_lesser;
-            center_depth_d1 <= add_f32_ftz_unit_copy15_y;
-            root_of_q_d1 <= sqrt_f32_ftz_unit_y;
-            visible_d1 <= visible;
+            center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy19_y;
+            center_y_minus_first_y_joined_d2 <= center_y_minus_first_y_joined_d1;
+            center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy20_y;
+            center_y_plus_first_y_joined_d2 <= center_y_plus_first_y_joined_d1;
+            last_y_chosen_d1 <= last_y_chosen_copy3;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            first_y_shifted_d2 <= first_y_shifted_d1;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            last_y_d1 <= last_y;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d11 <= a_x_bits_d10;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d11 <= a_y_bits_d10;
+            a_exponent_d1 <= a_exponent;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d11 <= b_x_bits_d10;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d11 <= b_y_bits_d10;
+            b_exponent_d1 <= b_exponent;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy7_y[22:0];
+            a_x_sign_d1 <= mul_f32_ftz_unit_copy7_y[31];
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d2 <= unit_delta_joined_d1;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy15_y[22:0];
+            a_y_sign_d1 <= mul_f32_ftz_unit_copy15_y[31];
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_d1_copy2 <= mul_f32_ftz_unit_copy9_y[22:0];
+            b_x_sign_d1 <= mul_f32_ftz_unit_copy9_y[31];
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d2_copy2 <= unit_delta_joined_d1_copy3;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_d1_copy2 <= mul_f32_ftz_unit_copy17_y[22:0];
+            b_y_sign_d1 <= mul_f32_ftz_unit_copy17_y[31];
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            unit_delta_joined_d2_copy3 <= unit_delta_joined_d1_copy4;
+            m_exponent_d1 <= m_exponent;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= mx_joined_d1_bits;
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d13[31], mx_chosen_copy4};
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            unit_delta_bits_d2 <= unit_delta_bits_d1;
+            unit_delta_bits_d3 <= unit_delta_bits_d2;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            largest_d1 <= largest;
+            ax_out_joined_d1 <= {a_x_sign_d11, ax_out_chosen_copy2};
+            ay_out_joined_d1 <= {a_y_sign_d11, ay_out_chosen_copy2};
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
+            not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy22_y[22:0];
+            unit_delta_bits_d2_copy2 <= unit_delta_bits_d1_copy2;
+            unit_delta_bits_d3_copy2 <= unit_delta_bits_d2_copy2;
+            unit_delta_sign_d1 <= add_f32_ftz_unit_copy22_y[31];
+            unit_delta_sign_d2 <= unit_delta_sign_d1;
+            unit_delta_sign_d3 <= unit_delta_sign_d2;
+            delta_d1 <= delta;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            doubtful_in_order_d1 <= doubtful_in_order;
+            visible_both_d1 <= visible_both;
+            ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
+            ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
+            delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy25_y;
         end
         if (queue_in_ready) begin
-            recip_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_y : in_center_z;
-            mul_f32_ftz_unit_a <= mul_f32_ftz_unit_a_choice;
-            mul_f32_ftz_unit_b <= phase ? tangent1_z_d15 : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy2_a <= mul_f32_ftz_unit_copy2_a_choice;
-            mul_f32_ftz_unit_copy2_b <= phase ? tangent2_z_d15 : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy3_a <= mul_f32_ftz_unit_a_choice;
-            mul_f32_ftz_unit_copy3_b <= phase ? center_x_d15 : mul_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy4_a <= phase ? recip_f32_ftz_unit_y : scale_x;
-            mul_f32_ftz_unit_copy4_b <= phase ? tangent1_x_d15 : add_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy5_a <= mul_f32_ftz_unit_copy2_a_choice;
-            mul_f32_ftz_unit_copy5_b <= phase ? tangent2_x_d15 : mul_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy6_a <= phase ? alpha_d11 : scale_x;
-            mul_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy7_a <= phase ? beta_d11 : scale_x;
-            mul_f32_ftz_unit_copy7_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy3_y;
-            mul_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy8_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy8_b <= phase ? mul_f32_ftz_unit_copy8_y : t_x_sum_d8;
-            mul_f32_ftz_unit_copy9_a <= phase ? mul_f32_ftz_unit_copy4_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy9_b <= phase ? mul_f32_ftz_unit_copy4_y : a_x_squared_plus_b_x_squared_d8;
-            mul_f32_ftz_unit_copy10_a <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy10_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_a_choice;
-            mul_f32_ftz_unit_copy11_b <= phase ? center_y_d15 : add_f32_ftz_unit_copy6_y;
-            mul_f32_ftz_unit_copy12_a <= mul_f32_ftz_unit_copy2_a_choice;
-            mul_f32_ftz_unit_copy12_b <= phase ? tangent1_y_d15 : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy13_a <= mul_f32_ftz_unit_copy11_a_choice;
-            mul_f32_ftz_unit_copy13_b <= phase ? tangent2_y_d15 : add_f32_ftz_unit_copy7_y;
-            mul_f32_ftz_unit_copy14_a <= phase ? alpha_d11 : scale_y;
-            mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy15_a <= phase ? beta_d11 : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy15_b <= phase ? mul_f32_ftz_unit_copy13_y : t_y_sum_d8;
-            mul_f32_ftz_unit_copy16_a <= phase ? mul_f32_ftz_unit_copy15_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy16_b <= phase ? mul_f32_ftz_unit_copy15_y : a_y_squared_plus_b_y_squared_d8;
-            mul_f32_ftz_unit_copy17_a <= phase ? mul_f32_ftz_unit_copy11_y : b_x_d1;
-            mul_f32_ftz_unit_copy17_b <= phase ? mul_f32_ftz_unit_copy11_y : a_y_d1;
-            mul_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy13_y : beta_d11;
-            mul_f32_ftz_unit_copy18_b <= phase ? mul_f32_ftz_unit_copy13_y : a_y_d1;
-            mul_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy4_y : alpha_d11;
-            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy13_y : b_y_d1;
-            mul_f32_ftz_unit_copy20_a <= phase ? recip_f32_ftz_unit_y : alpha_d11;
-            mul_f32_ftz_unit_copy20_b <= phase ? depth_b : b_x_d1;
-            mul_f32_ftz_unit_copy21_a <= phase ? b_depth_d29 : beta_d11;
-            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy22_y : a_x_d1;
-            mul_f32_ftz_unit_copy22_a <= phase ? abs_b_depth_d1 : delay_14_from_0_out;
-            mul_f32_ftz_unit_copy22_b <= phase ? mul_f32_ftz_unit_copy23_y : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy23_a <= phase ? half_depth : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy23_b <= phase ? epsilon_scale : root_of_q_d1;
-            add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : 32'h3f800000;
-            add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
-            add_f32_ftz_unit_copy2_a <= phase ? r_times_tangent1_x_d4 : mul_f32_ftz_unit_copy6_y;
-            add_f32_ftz_unit_copy2_b <= phase ? {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]} : mul_f32_ftz_unit_copy7_y;
-            add_f32_ftz_unit_copy3_a <= phase ? r_times_tangent2_x_d4 : mul_f32_ftz_unit_copy9_y;
-            add_f32_ftz_unit_copy3_b <= phase ? {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]} : mul_f32_ftz_unit_copy10_y;
-            add_f32_ftz_unit_copy4_a <= phase ? mul_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy8_y;
-            add_f32_ftz_unit_copy4_b <= phase ? origin_x : h_x_product_d4;
-            add_f32_ftz_unit_copy5_a <= phase ? center_x_d22 : center_x_minus_t_x_d17;
-            add_f32_ftz_unit_copy5_b <= phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
-            add_f32_ftz_unit_copy6_a <= phase ? r_times_tangent1_y_d4 : sqrt_f32_ftz_unit_y;
-            add_f32_ftz_unit_copy6_b <= phase ? add_f32_ftz_unit_copy6_b_bits : center_x_minus_t_x_d17;
-            add_f32_ftz_unit_copy7_a <= phase ? r_times_tangent2_y_d4 : center_x_d42;
-            add_f32_ftz_unit_copy7_b <= phase ? add_f32_ftz_unit_copy7_b_bits : minus_filter_radius;
-            add_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy14_y : filter_radius;
-            add_f32_ftz_unit_copy8_b <= phase ? origin_y : center_x_d42;
-            add_f32_ftz_unit_copy9_a <= phase ? center_y_d22 : mul_f32_ftz_unit_copy14_y;
-            add_f32_ftz_unit_copy9_b <= phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy15_y;
-            add_f32_ftz_unit_copy10_a <= phase ? minus_filter_radius : mul_f32_ftz_unit_copy17_y;
-            add_f32_ftz_unit_copy10_b <= phase ? center_y_d42 : mul_f32_ftz_unit_copy18_y;
-            add_f32_ftz_unit_copy11_a <= phase ? a_x_times_b_y_d1 : mul_f32_ftz_unit_copy16_y;
-            add_f32_ftz_unit_copy11_b <= phase ? add_f32_ftz_unit_copy11_b_bits : h_y_product_d4;
-            add_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy18_y : center_y_minus_t_y_d17;
-            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : add_f32_ftz_unit_copy12_b_bits_2;
-            add_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy20_y : sqrt_f32_ftz_unit_copy2_y;
-            add_f32_ftz_unit_copy13_b <= phase ? add_f32_ftz_unit_copy13_b_bits : center_y_minus_t_y_d17;
-            add_f32_ftz_unit_copy14_a <= phase ? add_f32_ftz_unit_copy16_y : filter_radius;
-            add_f32_ftz_unit_copy14_b <= phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : center_y_d42;
-            add_f32_ftz_unit_copy15_a <= phase ? middle_depth_d7 : delay_28_from_0_out;
-            add_f32_ftz_unit_copy15_b <= phase ? add_f32_ftz_unit_copy15_b_bits : depth_a;
-            add_f32_ftz_unit_copy16_a <= phase ? middle_depth_d7 : center_depth_d1;
-            add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy21_y;
-            add_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy23_y;
-            add_f32_ftz_unit_copy17_b <= epsilon_bias;
-            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy4_y : q_d4;
-            sqrt_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy11_y;
-            min_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy5_y : max_f32_ftz_unit_y;
-            min_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy7_y : 32'h45fff800;
-            min_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy12_y : 32'h45fff800;
-            min_f32_ftz_unit_copy2_b <= phase ? center_y_minus_filter_radius_d1 : max_f32_ftz_unit_copy3_y;
-            min_f32_ftz_unit_copy3_a <= 32'h3f800000;
-            min_f32_ftz_unit_copy3_b <= delay_10_from_0_out;
-            max_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy6_y : min_f32_ftz_unit_y;
-            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy8_y : 32'd0;
-            max_f32_ftz_unit_copy2_a <= 32'd0;
-            max_f32_ftz_unit_copy2_b <= phase ? min_f32_ftz_unit_y : min_f32_ftz_unit_copy2_y;
-            max_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy13_y;
-            max_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy14_y;
-            max_f32_ftz_unit_copy4_a <= 32'd0;
-            max_f32_ftz_unit_copy4_b <= phase ? min_f32_ftz_unit_copy2_y : add_f32_ftz_unit_copy15_y;
+            max_f32_ftz_unit_a <= phase ? last_x_chosen_copy3 : {1'd0, in_tangent1_x[30:0]};
+            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy14_y : {1'd0, in_tangent2_x[30:0]};
+            max_f32_ftz_unit_copy2_a <= phase ? 32'd0 : {1'd0, in_tangent1_y[30:0]};
+            max_f32_ftz_unit_copy2_b <= phase ? first_x_chosen_copy10 : {1'd0, in_tangent2_y[30:0]};
+            max_f32_ftz_unit_copy3_a <= phase ? 32'd0 : max_f32_ftz_unit_copy3_a_bits;
+            max_f32_ftz_unit_copy3_b <= phase ? min_f32_ftz_unit_copy3_y : max_f32_ftz_unit_copy3_b_bits;
+            max_f32_ftz_unit_copy4_a <= phase ? last_y_chosen_copy3 : 32'd0;
+            max_f32_ftz_unit_copy4_b <= phase ? add_f32_ftz_unit_copy21_y : first_y_chosen_copy10;
             max_f32_ftz_unit_copy5_a <= 32'd0;
-            max_f32_ftz_unit_copy5_b <= phase ? middle_depth : add_f32_ftz_unit_copy16_y;
-            to_fixed_f32_ftz_u21q8_unit_a <= phase ? max_f32_ftz_unit_y : max_f32_ftz_unit_copy2_y;
-            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? max_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy4_y;
-            le_f32_ftz_unit_a <= phase ? center_depth_d9 : 32'd0;
-            le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy14_y;
-            to_fixed_f32_ftz_u24q24_unit_a <= phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy5_y;
-            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy5_y;
+            max_f32_ftz_unit_copy5_b <= phase ? middle_depth : min_f32_ftz_unit_copy3_y;
+            max_f32_ftz_unit_copy6_a <= 32'd0;
+            max_f32_ftz_unit_copy6_b <= phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy20_y;
+            lt_f32_ftz_unit_a <= phase ? center_z_d2 : near_plane;
+            lt_f32_ftz_unit_b <= phase ? max_f32_ftz_unit_copy3_y : in_center_z;
+            lt_f32_ftz_unit_copy2_a <= phase ? 32'h39800000 : max_f32_ftz_unit_copy3_a_bits;
+            lt_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy3_b_bits;
+            lt_f32_ftz_unit_copy3_a <= phase ? 32'd0 : near_plane;
+            lt_f32_ftz_unit_copy3_b <= phase ? add_f32_ftz_unit_copy12_y : reaches_near_sum_d1_copy2;
+            lt_f32_ftz_unit_copy4_a <= phase ? add_f32_ftz_unit_copy13_y : 32'd0;
+            lt_f32_ftz_unit_copy4_b <= phase ? 32'd0 : center_y_minus_first_y_joined_d1;
+            lt_f32_ftz_unit_copy5_a <= center_y_plus_first_y_joined_d1;
+            lt_f32_ftz_unit_copy5_b <= 32'd0;
+            add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : center_z_d3;
+            add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : reaches_near_joined_d1;
+            add_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy4_y : 32'h3f800000;
+            add_f32_ftz_unit_copy2_b <= phase ? {~spread_half_d4[31], spread_half_d4[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
+            add_f32_ftz_unit_copy3_a <= phase ? 32'h3f800000 : depth_a;
+            add_f32_ftz_unit_copy3_b <= phase ? {not_depth_a_sign, depth_a[30:0]} : mul_f32_ftz_unit_copy3_y;
+            add_f32_ftz_unit_copy4_a <= phase ? a_x_joined_times_r_d4 : delay_31_from_1_out;
+            add_f32_ftz_unit_copy4_b <= phase ? {~mul_f32_ftz_unit_copy6_y[31], mul_f32_ftz_unit_copy6_y[30:0]} : mul_f32_ftz_unit_copy4_y;
+            add_f32_ftz_unit_copy5_a <= phase ? b_x_joined_times_r_d4 : center_z_d3;
+            add_f32_ftz_unit_copy5_b <= phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]};
+            add_f32_ftz_unit_copy6_a <= phase ? origin_x : spread_middle_d1;
+            add_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy10_y : spread_half_d4;
+            add_f32_ftz_unit_copy7_a <= phase ? center_x_d24 : mul_f32_ftz_unit_copy6_y;
+            add_f32_ftz_unit_copy7_b <= phase ? add_f32_ftz_unit_copy7_b_bits : epsilon_bias;
+            add_f32_ftz_unit_copy8_a <= phase ? center_x_minus_t_x_d18 : mul_f32_ftz_unit_copy10_y;
+            add_f32_ftz_unit_copy8_b <= phase ? minus_h_x_d1 : mul_f32_ftz_unit_copy11_y;
+            add_f32_ftz_unit_copy9_a <= phase ? origin_x : mul_f32_ftz_unit_copy13_y;
+            add_f32_ftz_unit_copy9_b <= phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy14_y;
+            add_f32_ftz_unit_copy10_a <= phase ? center_x_d45 : mul_f32_ftz_unit_copy12_y;
+            add_f32_ftz_unit_copy10_b <= phase ? minus_filter_radius : h_x_product_d4;
+            add_f32_ftz_unit_copy11_a <= phase ? a_y_joined_times_r_d4 : sqrt_f32_ftz_unit_y;
+            add_f32_ftz_unit_copy11_b <= phase ? add_f32_ftz_unit_copy11_b_bits : center_x_minus_t_x_d17;
+            add_f32_ftz_unit_copy12_a <= phase ? b_y_joined_times_r_d4 : center_x_d3;
+            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
+            add_f32_ftz_unit_copy13_a <= phase ? origin_y : center_x_d3;
+            add_f32_ftz_unit_copy13_b <= phase ? mul_f32_ftz_unit_copy18_y : first_x_joined_d1;
+            add_f32_ftz_unit_copy14_a <= phase ? center_y_d24 : filter_radius;
+            add_f32_ftz_unit_copy14_b <= phase ? add_f32_ftz_unit_copy14_b_bits : center_x_d44;
+            add_f32_ftz_unit_copy15_a <= phase ? center_y_minus_t_y_d18 : mul_f32_ftz_unit_copy19_y;
+            add_f32_ftz_unit_copy15_b <= phase ? minus_h_y_d1 : mul_f32_ftz_unit_copy20_y;
+            add_f32_ftz_unit_copy16_a <= phase ? origin_y : mul_f32_ftz_unit_copy22_y;
+            add_f32_ftz_unit_copy16_b <= phase ? first_y_joined_d1_copy2 : mul_f32_ftz_unit_copy23_y;
+            add_f32_ftz_unit_copy17_a <= phase ? minus_filter_radius : mul_f32_ftz_unit_copy21_y;
+            add_f32_ftz_unit_copy17_b <= phase ? center_y_d45 : h_y_product_d4;
+            add_f32_ftz_unit_copy18_a <= phase ? mx_product_d1 : sqrt_f32_ftz_unit_copy2_y;
+            add_f32_ftz_unit_copy18_b <= phase ? add_f32_ftz_unit_copy18_b_bits : center_y_minus_t_y_d17;
+            add_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy23_y : center_y_d3;
+            add_f32_ftz_unit_copy19_b <= phase ? add_f32_ftz_unit_copy19_b_bits : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
+            add_f32_ftz_unit_copy20_a <= phase ? middle_depth_d7 : center_y_d3;
+            add_f32_ftz_unit_copy20_b <= phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : first_y_joined_d1;
+            add_f32_ftz_unit_copy21_a <= phase ? middle_depth_d7 : filter_radius;
+            add_f32_ftz_unit_copy21_b <= phase ? add_f32_ftz_unit_copy7_y : center_y_d44;
+            add_f32_ftz_unit_copy22_a <= mul_f32_ftz_unit_copy25_y;
+            add_f32_ftz_unit_copy22_b <= {~mul_f32_ftz_unit_copy26_y[31], mul_f32_ftz_unit_copy26_y[30:0]};
+            recip_f32_ftz_unit_a <= phase ? f_chosen : lowered_chosen_copy5;
+            recip_f32_ftz_unit_copy2_a <= b_depth_d8;
+            mul_f32_ftz_unit_a <= phase ? alpha_joined_d11 : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy2_a <= phase ? beta_joined_d11 : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy2_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy3_a <= phase ? recip_f32_ftz_unit_y : delay_14_from_0_out;
+            mul_f32_ftz_unit_copy3_b <= phase ? depth_b : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy4_a <= phase ? b_depth_d31 : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy4_b <= phase ? mul_f32_ftz_unit_copy3_y : root_of_q_d1;
+            mul_f32_ftz_unit_copy5_a <= phase ? delay_31_from_0_out : add_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy5_b <= phase ? mul_f32_ftz_unit_copy4_y : before_far_sum_d1;
+            mul_f32_ftz_unit_copy6_a <= phase ? half_depth : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy6_b <= phase ? epsilon_scale : mul_f32_ftz_unit_copy7_y;
+            mul_f32_ftz_unit_copy7_a <= phase ? v_x_chosen_d15 : scale_x;
+            mul_f32_ftz_unit_copy7_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy4_y;
+            mul_f32_ftz_unit_copy8_a <= phase ? a_x_joined_d11 : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy8_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy7_y;
+            mul_f32_ftz_unit_copy9_a <= phase ? b_x_joined_d11 : scale_x;
+            mul_f32_ftz_unit_copy9_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy5_y;
+            mul_f32_ftz_unit_copy10_a <= phase ? alpha_d11 : scale_x;
+            mul_f32_ftz_unit_copy10_b <= mul_f32_ftz_unit_copy7_y;
+            mul_f32_ftz_unit_copy11_a <= mul_f32_ftz_unit_copy11_a_choice;
+            mul_f32_ftz_unit_copy11_b <= phase ? mul_f32_ftz_unit_copy9_y : t_x_sum_d10;
+            mul_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy11_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy12_b <= phase ? mul_f32_ftz_unit_copy11_y : a_x_squared_plus_b_x_squared_d10;
+            mul_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy13_b <= phase ? mul_f32_ftz_unit_copy7_y : scale_x;
+            mul_f32_ftz_unit_copy14_a <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy14_b <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy16_y;
+            mul_f32_ftz_unit_copy15_a <= phase ? mul_f32_ftz_unit_copy13_y : scale_y;
+            mul_f32_ftz_unit_copy15_b <= phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy16_a <= phase ? v_y_chosen_d15 : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy16_b <= mul_f32_ftz_unit_copy16_b_choice;
+            mul_f32_ftz_unit_copy17_a <= phase ? a_y_joined_d11 : scale_y;
+            mul_f32_ftz_unit_copy17_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy12_y;
+            mul_f32_ftz_unit_copy18_a <= phase ? b_y_joined_d11 : scale_y;
+            mul_f32_ftz_unit_copy18_b <= mul_f32_ftz_unit_copy16_b_choice;
+            mul_f32_ftz_unit_copy19_a <= phase ? alpha_d11 : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy15_y : t_y_sum_d10;
+            mul_f32_ftz_unit_copy20_a <= mul_f32_ftz_unit_copy11_a_choice;
+            mul_f32_ftz_unit_copy20_b <= phase ? mul_f32_ftz_unit_copy17_y : a_y_squared_plus_b_y_squared_d10;
+            mul_f32_ftz_unit_copy21_a <= phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy19_y : scale_y;
+            mul_f32_ftz_unit_copy22_a <= phase ? mul_f32_ftz_unit_copy15_y : unit_delta_joined_d2_copy3;
+            mul_f32_ftz_unit_copy22_b <= phase ? mul_f32_ftz_unit_copy15_y : mx_joined_d1_copy2;
+            mul_f32_ftz_unit_copy23_a <= phase ? mul_f32_ftz_unit_copy17_y : unit_delta_joined_d2_copy2;
+            mul_f32_ftz_unit_copy23_b <= phase ? mul_f32_ftz_unit_copy17_y : mx_joined_d1_copy2;
+            mul_f32_ftz_unit_copy24_a <= phase ? mul_f32_ftz_unit_copy21_y : unit_delta_joined_d2;
+            mul_f32_ftz_unit_copy24_b <= phase ? first_y_chosen_d43 : mx_joined_d1;
+            mul_f32_ftz_unit_copy25_a <= phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : delta_d1;
+            mul_f32_ftz_unit_copy25_b <= phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : recip_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy26_a <= phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : delta_times_one_over_b_depth_d1;
+            mul_f32_ftz_unit_copy26_b <= phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : sight_near_out_joined;
+            mul_f32_ftz_unit_copy27_a <= phase ? unit_delta_joined_d1_copy2 : delay_40_from_0_out;
+            mul_f32_ftz_unit_copy27_b <= phase ? mx_joined_d1_bits : delta_times_one_over_b_depth_d1;
+            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy10_y : q_d6;
+            sqrt_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy17_y;
+            le_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy3_y : 32'd0;
+            le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy2_y;
+            le_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy6_y : depth_b;
+            le_f32_ftz_unit_copy2_b <= phase ? 32'h3f800000 : before_far_joined_d1;
+            min_f32_ftz_unit_a <= phase ? first_y_chosen_d1 : 32'h3f800000;
+            min_f32_ftz_unit_b <= phase ? center_y_minus_filter_radius_d1 : delay_31_from_0_data_bits;
+            min_f32_ftz_unit_copy2_a <= first_x_chosen_copy9;
+            min_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy10_y;
+            min_f32_ftz_unit_copy3_a <= 32'h45fff800;
+            min_f32_ftz_unit_copy3_b <= phase ? last_y_chosen_d1_copy2 : last_x_chosen_copy4;
+            to_fixed_f32_ftz_u21q8_unit_a <= phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy2_y;
+            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? max_f32_ftz_unit_copy5_y : max_f32_ftz_unit_copy3_y;
+            to_fixed_f32_ftz_u24q24_unit_a <= phase ? max_f32_ftz_unit_copy6_y : max_f32_ftz_unit_copy5_y;
+            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy6_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= spread_half_d4;
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {spread_half_d4, turned};
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_10_from_0[delay_10_from_0_pointer] <= abs_b_depth_d1;
-        if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        if (load_0) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, sight_disc_out_d52, add_f32_ftz_unit_y};
+        end
+        if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+            delay_7_from_0[delay_7_from_0_pointer] <= {edge_on_lesser_below_32, not_turned_d18};
+        end
+        if (load_0) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_8_from_0[delay_8_from_0_pointer] <= {mx_sum_copy3, largest_sum, mul_f32_ftz_unit_copy3_y};
+        end
+        if (load_0) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= largest_sum_copy3;
+        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_11_from_0[delay_11_from_0_pointer] <= {
+                3'd0, mul_f32_ftz_unit_y[30:23], 3'd0, mul_f32_ftz_unit_copy2_y[30:23], center_y_d45, center_x_d45,
+                b_depth_d8, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, lowered_chosen_sign_d4_copy6,
+                beta_chosen_copy2, lowered_chosen_sign_d4_copy5, b_y_chosen_copy2, lowered_chosen_sign_d4_copy4,
+                b_x_chosen_copy2, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2, lowered_chosen_sign_d4_copy2,
+                a_y_chosen_copy2, lowered_chosen_sign_d4, a_x_chosen_copy2
+            };
         end
         if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_12_from_0[delay_12_from_0_pointer] <= delay_20_from_0_out;
+        if (load_0) begin
+            delay_12_from_0[delay_12_from_0_pointer] <= {not_zero_is_alpha_bits, not_zero_is_beta_bits, b_depth_d19, delay_30_from_0_out};
+        end
         if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= q_d4;
+        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= q_d6;
         if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_15_from_0[delay_15_from_0_pointer] <= {
-                in_tangent2_y, in_tangent1_y, in_center_y, in_tangent2_x, in_tangent1_x, in_center_x, in_tangent2_z,
-                in_tangent1_z
-            };
+            delay_15_from_0[delay_15_from_0_pointer] <= {v_y_chosen_copy2, v_x_chosen_copy2};
         end
         if (load_0) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy5_y};
+            delay_17_from_0[delay_17_from_0_pointer] <= {
+                to_fixed_f32_ftz_u24q24_unit_y, last_y_chosen_copy2, first_y_chosen_copy8, add_f32_ftz_unit_copy14_y,
+                last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y, not_turned_d1
+            };
         end
         if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_19_from_0[delay_19_from_0_pointer] <= le_f32_ftz_unit_y;
-        if (load_0) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) delay_20_from_0[delay_20_from_0_pointer] <= delay_22_from_0_out;
+        if (load_0) begin
+            delay_20_from_0[delay_20_from_0_pointer] <= {delay_24_from_0_out, all_before_far};
+        end
         if (load_0) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_22_from_0[delay_22_from_0_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy4_y};
+            delay_24_from_0[delay_24_from_0_pointer] <= {add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy6_y};
         end
-        if (load_0) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
+        if (load_0) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_28_from_0[delay_28_from_0_pointer] <= mul_f32_ftz_unit_copy20_y;
-        if (load_0) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        if (load_0) delay_25_from_0[delay_25_from_0_pointer] <= lowered_d1;
+        if (load_0) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_42_from_0[delay_42_from_0_pointer] <= edge_on;
-        if (load_0) delay_42_from_0_out <= delay_42_from_0[delay_42_from_0_pointer];
+        if (load_0) delay_30_from_0[delay_30_from_0_pointer] <= whole_d1;
+        if (load_0) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_31_from_0[delay_31_from_0_pointer] <= delay_31_from_0_data_bits;
+        if (load_0) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_35_from_0[delay_35_from_0_pointer] <= turned_d5;
+        if (load_0) delay_35_from_0_out <= delay_35_from_0[delay_35_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_43_from_0[delay_43_from_0_pointer] <= {
-                visible_unequal_copy2, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y,
-                add_f32_ftz_unit_copy11_y
-            };
+            delay_37_from_0[delay_37_from_0_pointer] <= {visible_unequal_copy2, turned_and_lowered_chosen_sign};
         end
-        if (load_0) delay_43_from_0_out <= delay_43_from_0[delay_43_from_0_pointer];
+        if (load_0) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_5_from_1[delay_5_from_1_pointer] <= add_f32_ftz_unit_copy16_y;
-        if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+        if (load_0) delay_40_from_0[delay_40_from_0_pointer] <= add_f32_ftz_unit_copy3_y;
+        if (load_0) delay_40_from_0_out <= delay_40_from_0[delay_40_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_41_from_0[delay_41_from_0_pointer] <= {ay_out, ax_out, delay_35_from_0_out};
+        end
+        if (load_0) delay_41_from_0_out <= delay_41_from_0[delay_41_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_44_from_0[delay_44_from_0_pointer] <= {doubtful_or_visible_unequal, sight_negative_out, edge_on};
+        end
+        if (load_0) delay_44_from_0_out <= delay_44_from_0[delay_44_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_51_from_0[delay_51_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7, sight_disc_out};
+        end
+        if (load_0) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_57_from_0[delay_57_from_0_pointer] <= before_far;
+        if (load_0) delay_57_from_0_out <= delay_57_from_0[delay_57_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y, middle_depth};
+            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, middle_depth, lt_f32_ftz_unit_y};
         end
         if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_8_from_1[delay_8_from_1_pointer] <= {
-                center_depth_d1, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy3_y,
-                add_f32_ftz_unit_copy2_y
-            };
+            delay_8_from_1[delay_8_from_1_pointer] <= {largest_greater_plus_154, delay_31_from_1_out};
         end
         if (load_1) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_17_from_1[delay_17_from_1_pointer] <= delay_29_from_1_out;
-        if (load_1) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
+        if (load_1) begin
+            delay_9_from_1[delay_9_from_1_pointer] <= {b_y_bits_d1, b_x_bits_d1, a_y_bits_d1, a_x_bits_d1};
+        end
+        if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_29_from_1[delay_29_from_1_pointer] <= lt_f32_ftz_unit_y;
-        if (load_1) delay_29_from_1_out <= delay_29_from_1[delay_29_from_1_pointer];
+        if (load_1) begin
+            delay_10_from_1[delay_10_from_1_pointer] <= {
+                b_y_sign_d1, b_y_bits_d1_copy2, b_y_bits_is_255_d1, not_zero_is_b_y_bits_d1, b_x_sign_d1,
+                b_x_bits_d1_copy2, b_x_bits_is_255_d1, not_zero_is_b_x_bits_d1, a_y_sign_d1, a_y_bits_d1_copy2,
+                a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1, a_x_bits_d1_copy2, a_x_bits_is_255_d1,
+                not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy16_y, add_f32_ftz_unit_copy15_y,
+                add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y
+            };
+        end
+        if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_50_from_1[delay_50_from_1_pointer] <= {b_y_d1, a_y_d1, b_x_d1, a_x_d1};
-        if (load_1) delay_50_from_1_out <= delay_50_from_1[delay_50_from_1_pointer];
+        if (load_1) begin
+            delay_14_from_1[delay_14_from_1_pointer] <= {le_f32_ftz_unit_copy2_y, beyond_near_and_not_turned};
+        end
+        if (load_1) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_21_from_1[delay_21_from_1_pointer] <= beyond_near;
+        if (load_1) delay_21_from_1_out <= delay_21_from_1[delay_21_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_26_from_1[delay_26_from_1_pointer] <= reaches_near_sum_d1_copy2;
+        if (load_1) delay_26_from_1_out <= delay_26_from_1[delay_26_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_31_from_1[delay_31_from_1_pointer] <= add_f32_ftz_unit_copy3_y;
+        if (load_1) delay_31_from_1_out <= delay_31_from_1[delay_31_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_34_from_1[delay_34_from_1_pointer] <= {mul_f32_ftz_unit_copy27_y[30:0], mul_f32_ftz_unit_copy26_y[30:0]};
+        end
+        if (load_1) delay_34_from_1_out <= delay_34_from_1[delay_34_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_37_from_1[delay_37_from_1_pointer] <= beyond_near_and_not_turned_d18;
+        if (load_1) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_41_from_1[delay_41_from_1_pointer] <= {delta_d1, half_depth_chosen};
+        if (load_1) delay_41_from_1_out <= delay_41_from_1[delay_41_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_42_from_1[delay_42_from_1_pointer] <= {my, mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
+        end
+        if (load_1) delay_42_from_1_out <= delay_42_from_1[delay_42_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_43_from_1[delay_43_from_1_pointer] <= {first_y_chosen_copy5, first_x_chosen_copy5};
+        end
+        if (load_1) delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_51_from_1[delay_51_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7};
+        end
+        if (load_1) delay_51_from_1_out <= delay_51_from_1[delay_51_from_1_pointer];
     end
 
-    wire _unused = &{1'b0, last_x_chosen_minus_1[21:9], last_y_chosen_minus_1[21:9]};
+    wire _unused = &{
+        1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], alpha_d13[30:23], ax_out_chosen[10:8],
+        ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], beta_d13[30:23],
+        bx_out_chosen[10:8], by_out_chosen[10:8], delta_chosen[10:8], first_x_chosen_copy2[10:8],
+        first_y_chosen_copy2[10:8], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
+        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8],
+        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
+        unit_delta_chosen_copy7[10:8]
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -7456,30 +8873,6 @@ module float_to_fixed_s3_f32ftz_w24_f24_unsigned (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Whether one floating-point number is less than another or equal.
-// stages = 2
-// format = f32-ftz
-module float_le_s2_f32ftz (
-    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
-    output reg  y
-);
-    reg unordered_s1, both_zero_s1, compared_s1;
-
-    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
-    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
-            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} <= {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
-            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
-        end
-    end
-endmodule
-
 // Floating to fixed point.
 // stages = 3
 // format = f32-ftz
@@ -7523,31 +8916,6 @@ module float_to_fixed_s3_f32ftz_w21_f8_unsigned (
     wire _unused = &{1'b0, distance_s1_difference[10:5], magnitude_s2_shifted[23:21]};
 endmodule
 
-// Greater of two floating-point numbers.
-// stages = 2
-// format = f32-ftz
-module float_max_s2_f32ftz (
-    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
-    output reg  [31:0] y
-);
-    reg a_nan_s1, b_nan_s1, less_s1;
-    reg [31:0] a_s1, b_s1;
-
-    wire [22:0] a_nan_s1_both = a[22:0] & {23{|a[30:23]}};
-    wire [22:0] b_nan_s1_both = b[22:0] & {23{|b[30:23]}};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            a_nan_s1 <= &a[30:23] & |a_nan_s1_both;
-            b_nan_s1 <= &b[30:23] & |b_nan_s1_both;
-            less_s1 <= {~a[31], {a[30:23], a_nan_s1_both} ^ {31{a[31]}}} < {~b[31], {b[30:23], b_nan_s1_both} ^ {31{b[31]}}};
-            a_s1 <= {a[31:23], a_nan_s1_both};
-            b_s1 <= {b[31:23], b_nan_s1_both};
-            y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
-        end
-    end
-endmodule
-
 // Lesser of two floating-point numbers.
 // stages = 2
 // format = f32-ftz
@@ -7569,6 +8937,30 @@ module float_min_s2_f32ftz (
             a_s1 <= {a[31:23], a_nan_s1_both};
             b_s1 <= {b[31:23], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
+        end
+    end
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f32-ftz
+module float_le_s2_f32ftz (
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
+    output reg  y
+);
+    reg unordered_s1, both_zero_s1, compared_s1;
+
+    wire [22:0] compared_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] compared_s1_both_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] compared_s1_bits = {a[30:23], compared_s1_both};
+    wire [30:0] compared_s1_bits_2 = {b[30:23], compared_s1_both_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[30:23] & |compared_s1_both) | (&b[30:23] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 31'd0;
+            compared_s1 <= {~a[31], compared_s1_bits ^ {31{a[31]}}} <= {~b[31], compared_s1_bits_2 ^ {31{b[31]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
 endmodule
@@ -8368,14 +9760,14 @@ module float_recip_s28_f32ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 621
-module stream_skid_w621 (
+// width = 686
+module stream_skid_w686 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [620:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [620:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [685:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [685:0] out_data
 );
     reg second_valid;
-    reg [620:0] head, second;
+    reg [685:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -8411,7 +9803,7 @@ module stream_skid_w621 (
 endmodule
 
 // World space to camera space.
-// latency = 25
+// latency = 31
 // initiation_interval = 1
 module splat_transform (
     input  wire clk, input wire rst,
@@ -8480,25 +9872,31 @@ module splat_transform (
     output wire [15:0] out_cardinal_0  // Attributes.
 );
     (* ram_style = "distributed" *)
-    reg [287:0] delay_6_from_0 [0:4];
+    reg [319:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [191:0] delay_8_from_0 [0:6];
+    reg [63:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
-    reg [207:0] delay_24_from_0 [0:22];
+    reg [191:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [16:0] delay_25_from_0 [0:23];
+    reg [207:0] delay_30_from_0 [0:28];
+    (* ram_style = "distributed" *)
+    reg [16:0] delay_31_from_0 [0:29];
     reg [2:0] delay_6_from_0_pointer;
-    reg [287:0] delay_6_from_0_out;
+    reg [319:0] delay_6_from_0_out;
     reg [2:0] delay_8_from_0_pointer;
-    reg [191:0] delay_8_from_0_out;
-    reg [4:0] delay_24_from_0_pointer;
-    reg [207:0] delay_24_from_0_out;
-    reg [4:0] delay_25_from_0_pointer;
-    reg [16:0] delay_25_from_0_out;
+    reg [63:0] delay_8_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg [191:0] delay_14_from_0_out;
+    reg [4:0] delay_30_from_0_pointer;
+    reg [207:0] delay_30_from_0_out;
+    reg [4:0] delay_31_from_0_pointer;
+    reg [16:0] delay_31_from_0_out;
     reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
     reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
     reg [15:0] attribute_12_d1;
-    reg [31:0] u_x_d1, u_x_d2, u_y_d1, u_y_d2, u_z_d1, u_z_d2;
+    reg [31:0] u_z_d7, u_z_d8, kept_joined_d1;
+    reg kept_greater_bits_is_zero_d1;
+    reg [31:0] kept_chosen_d1, kept_chosen_d2, kept_chosen_d3;
     reg attribute_0_bits_is_31_d1;
     reg [15:0] attribute_0_out_chosen_d1;
     reg attribute_1_bits_is_31_d1;
@@ -8525,7 +9923,7 @@ module splat_transform (
     reg [15:0] attribute_11_out_chosen_d1;
     reg attribute_12_bits_is_31_d1;
     reg [15:0] attribute_12_out_chosen_d1;
-    reg [24:0] in_flight;
+    reg [30:0] in_flight;
 
     wire [512:0] queue_out_data;
     wire [31:0] mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y;
@@ -8543,40 +9941,52 @@ module splat_transform (
     wire [31:0] add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy14_y;
     wire [31:0] add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y, add_f32_ftz_unit_copy17_y;
     wire [31:0] add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy20_y;
-    wire [31:0] add_f32_ftz_unit_copy21_y;
-    wire lt_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y;
+    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y;
+    wire [31:0] max_f32_ftz_unit_y;
 
-    wire end_d25 = delay_25_from_0_out[0];
-    wire end_or_near_plane_below_u_z = end_d25 | lt_f32_ftz_unit_y;
-    wire [31:0] v1_x_d8 = delay_8_from_0_out[31:0];
-    wire [31:0] v1_y_d8 = delay_8_from_0_out[63:32];
-    wire [31:0] v1_z_d8 = delay_8_from_0_out[95:64];
-    wire [31:0] v2_x_d8 = delay_8_from_0_out[127:96];
-    wire [31:0] v2_y_d8 = delay_8_from_0_out[159:128];
-    wire [31:0] v2_z_d8 = delay_8_from_0_out[191:160];
-    wire [15:0] attribute_0_out_d24 = delay_24_from_0_out[15:0];
-    wire [15:0] attribute_1_out_d24 = delay_24_from_0_out[31:16];
-    wire [15:0] attribute_2_out_d24 = delay_24_from_0_out[47:32];
-    wire [15:0] attribute_3_out_d24 = delay_24_from_0_out[63:48];
-    wire [15:0] attribute_4_out_d24 = delay_24_from_0_out[79:64];
-    wire [15:0] attribute_5_out_d24 = delay_24_from_0_out[95:80];
-    wire [15:0] attribute_6_out_d24 = delay_24_from_0_out[111:96];
-    wire [15:0] attribute_7_out_d24 = delay_24_from_0_out[127:112];
-    wire [15:0] attribute_8_out_d24 = delay_24_from_0_out[143:128];
-    wire [15:0] attribute_9_out_d24 = delay_24_from_0_out[159:144];
-    wire [15:0] attribute_10_out_d24 = delay_24_from_0_out[175:160];
-    wire [15:0] attribute_11_out_d24 = delay_24_from_0_out[191:176];
-    wire [15:0] attribute_12_out_d24 = delay_24_from_0_out[207:192];
-    wire [15:0] cardinal_0_d25 = delay_25_from_0_out[16:1];
+    wire end_d31 = delay_31_from_0_out[0];
+    wire kept_either = lt_f32_ftz_unit_y | lt_f32_ftz_unit_copy2_y;
+    wire end_or_kept_either = end_d31 | kept_either;
+    wire [31:0] u_x_d8 = delay_8_from_0_out[31:0];
+    wire [31:0] u_y_d8 = delay_8_from_0_out[63:32];
+    wire [31:0] v1_x_d14 = delay_14_from_0_out[31:0];
+    wire [31:0] v1_y_d14 = delay_14_from_0_out[63:32];
+    wire [31:0] v1_z_d14 = delay_14_from_0_out[95:64];
+    wire [31:0] v2_x_d14 = delay_14_from_0_out[127:96];
+    wire [31:0] v2_y_d14 = delay_14_from_0_out[159:128];
+    wire [31:0] v2_z_d14 = delay_14_from_0_out[191:160];
+    wire [15:0] attribute_0_out_d30 = delay_30_from_0_out[15:0];
+    wire [15:0] attribute_1_out_d30 = delay_30_from_0_out[31:16];
+    wire [15:0] attribute_2_out_d30 = delay_30_from_0_out[47:32];
+    wire [15:0] attribute_3_out_d30 = delay_30_from_0_out[63:48];
+    wire [15:0] attribute_4_out_d30 = delay_30_from_0_out[79:64];
+    wire [15:0] attribute_5_out_d30 = delay_30_from_0_out[95:80];
+    wire [15:0] attribute_6_out_d30 = delay_30_from_0_out[111:96];
+    wire [15:0] attribute_7_out_d30 = delay_30_from_0_out[127:112];
+    wire [15:0] attribute_8_out_d30 = delay_30_from_0_out[143:128];
+    wire [15:0] attribute_9_out_d30 = delay_30_from_0_out[159:144];
+    wire [15:0] attribute_10_out_d30 = delay_30_from_0_out[175:160];
+    wire [15:0] attribute_11_out_d30 = delay_30_from_0_out[191:176];
+    wire [15:0] attribute_12_out_d30 = delay_30_from_0_out[207:192];
+    wire [15:0] cardinal_0_d31 = delay_31_from_0_out[16:1];
     wire [31:0] m02_times_center_z_d6 = delay_6_from_0_out[31:0];
     wire [31:0] m12_times_center_z_d6 = delay_6_from_0_out[63:32];
     wire [31:0] m22_times_center_z_d6 = delay_6_from_0_out[95:64];
-    wire [31:0] m02_times_tangent1_z_d6 = delay_6_from_0_out[127:96];
-    wire [31:0] m12_times_tangent1_z_d6 = delay_6_from_0_out[159:128];
-    wire [31:0] m22_times_tangent1_z_d6 = delay_6_from_0_out[191:160];
-    wire [31:0] m02_times_tangent2_z_d6 = delay_6_from_0_out[223:192];
-    wire [31:0] m12_times_tangent2_z_d6 = delay_6_from_0_out[255:224];
-    wire [31:0] m22_times_tangent2_z_d6 = delay_6_from_0_out[287:256];
+    wire [31:0] m02_times_tangent1_z_d6 = delay_6_from_0_out[159:128];
+    wire [31:0] m12_times_tangent1_z_d6 = delay_6_from_0_out[191:160];
+    wire [31:0] m22_times_tangent1_z_d6 = delay_6_from_0_out[223:192];
+    wire [31:0] m02_times_tangent2_z_d6 = delay_6_from_0_out[255:224];
+    wire [31:0] m12_times_tangent2_z_d6 = delay_6_from_0_out[287:256];
+    wire [31:0] m22_times_tangent2_z_d6 = delay_6_from_0_out[319:288];
+    wire [31:0] u_z_d6 = delay_6_from_0_out[127:96];
+    wire kept_greater_bits_is_255 = max_f32_ftz_unit_y[30:23] == 8'd255;
+    wire [7:0] kept_greater_bits_plus_1 = max_f32_ftz_unit_y[30:23] + 8'd1;
+    wire [7:0] kept_chosen = kept_greater_bits_is_255 ? max_f32_ftz_unit_y[30:23] : kept_greater_bits_plus_1;
+    wire kept_greater_bits_is_254 = max_f32_ftz_unit_y[30:23] == 8'd254;
+    wire [22:0] kept_chosen_copy2 = kept_greater_bits_is_254 ? 23'd0 : max_f32_ftz_unit_y[22:0];
+    wire kept_greater_bits_is_zero = max_f32_ftz_unit_y[30:23] == 8'd0;
+    wire [31:0] kept_chosen_copy3 = kept_greater_bits_is_zero_d1 ? 32'd0 : kept_joined_d1;
     wire attribute_0_bits_is_31 = in_attribute_0[14:10] == 5'd31;
     wire attribute_0_bits_is_zero = in_attribute_0[9:0] == 10'd0;
     wire [15:0] attribute_0_out_chosen = attribute_0_bits_is_zero ? {in_attribute_0[15], 15'h7bff} : 16'd0;
@@ -8638,13 +10048,13 @@ module splat_transform (
     } = queue_out_data;
 
     stream_skid_w513 queue (
-        .clk(clk), .rst(rst), .in_valid(in_flight[24] & end_or_near_plane_below_u_z), .in_ready(in_ready),
+        .clk(clk), .rst(rst), .in_valid(in_flight[30] & end_or_kept_either), .in_ready(in_ready),
         .in_data({
-            end_d25, u_x_d2, u_y_d2, u_z_d2, v1_x_d8, v1_y_d8, v1_z_d8, v2_x_d8, v2_y_d8, v2_z_d8,
-            attribute_0_out_d24, attribute_1_out_d24, attribute_2_out_d24, attribute_3_out_d24,
-            attribute_4_out_d24, attribute_5_out_d24, attribute_6_out_d24, attribute_7_out_d24,
-            attribute_8_out_d24, attribute_9_out_d24, attribute_10_out_d24, attribute_11_out_d24,
-            attribute_12_out_d24, cardinal_0_d25
+            end_d31, u_x_d8, u_y_d8, u_z_d8, v1_x_d14, v1_y_d14, v1_z_d14, v2_x_d14, v2_y_d14, v2_z_d14,
+            attribute_0_out_d30, attribute_1_out_d30, attribute_2_out_d30, attribute_3_out_d30,
+            attribute_4_out_d30, attribute_5_out_d30, attribute_6_out_d30, attribute_7_out_d30,
+            attribute_8_out_d30, attribute_9_out_d30, attribute_10_out_d30, attribute_11_out_d30,
+            attribute_12_out_d30, cardinal_0_d31
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -8859,23 +10269,40 @@ module splat_transform (
         .y(add_f32_ftz_unit_copy21_y)
     );
 
+    float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
+        .clk(clk), .enable(in_ready), .a(add_f32_ftz_unit_copy9_y), .b(kept_chosen_d3),
+        .y(add_f32_ftz_unit_copy22_y)
+    );
+
     float_lt_s2_f32ftz lt_f32_ftz_unit (
-        .clk(clk), .enable(in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy9_y), .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(in_ready), .a(near_plane), .b(u_z_d6), .y(lt_f32_ftz_unit_y)
+    );
+
+    float_lt_s2_f32ftz lt_f32_ftz_unit_copy2 (
+        .clk(clk), .enable(in_ready), .a(near_plane), .b(add_f32_ftz_unit_copy22_y),
+        .y(lt_f32_ftz_unit_copy2_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit (
+        .clk(clk), .enable(in_ready), .a({1'd0, add_f32_ftz_unit_copy15_y[30:0]}),
+        .b({1'd0, add_f32_ftz_unit_copy21_y[30:0]}), .y(max_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
             delay_8_from_0_pointer <= 3'd0;
-            delay_24_from_0_pointer <= 5'd0;
-            delay_25_from_0_pointer <= 5'd0;
-            in_flight <= 25'd0;
+            delay_14_from_0_pointer <= 4'd0;
+            delay_30_from_0_pointer <= 5'd0;
+            delay_31_from_0_pointer <= 5'd0;
+            in_flight <= 31'd0;
         end else if (in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
-            delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
-            delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
-            in_flight <= {in_flight[23:0], in_valid};
+            delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+            delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+            delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+            in_flight <= {in_flight[29:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -8893,12 +10320,13 @@ module splat_transform (
             attribute_10_d1 <= in_attribute_10;
             attribute_11_d1 <= in_attribute_11;
             attribute_12_d1 <= in_attribute_12;
-            u_x_d1 <= add_f32_ftz_unit_copy7_y;
-            u_x_d2 <= u_x_d1;
-            u_y_d1 <= add_f32_ftz_unit_copy8_y;
-            u_y_d2 <= u_y_d1;
-            u_z_d1 <= add_f32_ftz_unit_copy9_y;
-            u_z_d2 <= u_z_d1;
+            u_z_d7 <= u_z_d6;
+            u_z_d8 <= u_z_d7;
+            kept_joined_d1 <= {1'd0, kept_chosen, kept_chosen_copy2};
+            kept_greater_bits_is_zero_d1 <= kept_greater_bits_is_zero;
+            kept_chosen_d1 <= kept_chosen_copy3;
+            kept_chosen_d2 <= kept_chosen_d1;
+            kept_chosen_d3 <= kept_chosen_d2;
             attribute_0_bits_is_31_d1 <= attribute_0_bits_is_31;
             attribute_0_out_chosen_d1 <= attribute_0_out_chosen;
             attribute_1_bits_is_31_d1 <= attribute_1_bits_is_31;
@@ -8932,33 +10360,67 @@ module splat_transform (
             delay_6_from_0[delay_6_from_0_pointer] <= {
                 mul_f32_ftz_unit_copy27_y, mul_f32_ftz_unit_copy24_y, mul_f32_ftz_unit_copy21_y,
                 mul_f32_ftz_unit_copy18_y, mul_f32_ftz_unit_copy15_y, mul_f32_ftz_unit_copy12_y,
-                mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_copy3_y
+                add_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
+                mul_f32_ftz_unit_copy3_y
             };
         end
         if (in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {
-                add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy17_y,
-                add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy11_y
-            };
+            delay_8_from_0[delay_8_from_0_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y};
         end
         if (in_ready) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
     end
     always @(posedge clk) begin
         if (in_ready) begin
-            delay_24_from_0[delay_24_from_0_pointer] <= {
+            delay_14_from_0[delay_14_from_0_pointer] <= {
+                add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y, add_f32_ftz_unit_copy17_y,
+                add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy11_y
+            };
+        end
+        if (in_ready) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            delay_30_from_0[delay_30_from_0_pointer] <= {
                 attribute_12_out, attribute_11_out, attribute_10_out, attribute_9_out, attribute_8_out,
                 attribute_7_out, attribute_6_out, attribute_5_out, attribute_4_out, attribute_3_out, attribute_2_out,
                 attribute_1_out, attribute_0_out
             };
         end
-        if (in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
+        if (in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (in_ready) delay_25_from_0[delay_25_from_0_pointer] <= {in_cardinal_0, in_end};
-        if (in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
+        if (in_ready) delay_31_from_0[delay_31_from_0_pointer] <= {in_cardinal_0, in_end};
+        if (in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+    end
+
+    wire _unused = &{1'b0, max_f32_ftz_unit_y[31]};
+endmodule
+
+// Greater of two floating-point numbers.
+// stages = 2
+// format = f32-ftz
+module float_max_s2_f32ftz (
+    input  wire clk, input wire enable, input wire [31:0] a, input wire [31:0] b,
+    output reg  [31:0] y
+);
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [31:0] a_s1, b_s1;
+
+    wire [22:0] a_nan_s1_both = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] b_nan_s1_both = b[22:0] & {23{|b[30:23]}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_nan_s1 <= &a[30:23] & |a_nan_s1_both;
+            b_nan_s1 <= &b[30:23] & |b_nan_s1_both;
+            less_s1 <= {~a[31], {a[30:23], a_nan_s1_both} ^ {31{a[31]}}} < {~b[31], {b[30:23], b_nan_s1_both} ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], a_nan_s1_both};
+            b_s1 <= {b[31:23], b_nan_s1_both};
+            y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
+        end
     end
 endmodule
 

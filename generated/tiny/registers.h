@@ -18,7 +18,7 @@
 #define SPLAT_MEMORY_BITS 64
 
 /* Byte addresses of registers, and their bits. */
-#define SPLAT_ID 0x000u /* read: "PC", the core (0x0A or 0x0B), the layout's version (1) */
+#define SPLAT_ID 0x000u /* read: "PC", the core (0x0A, 0x0B or 0x0C), the layout's version (1) */
 #define SPLAT_CONTROL 0x004u /* write: commands */
 #define SPLAT_CONTROL_START (UINT32_C(1) << 0) /* begins a run, clears `done` and the run's counters */
 #define SPLAT_CONTROL_RESET (UINT32_C(1) << 1) /* resets the core's state (caches, threads); uniforms and the tree stay */

@@ -164,12 +164,12 @@ module splat_top (
         .in_attribute_0(transform_out_attribute_0), .in_attribute_1(transform_out_attribute_1),
         .in_attribute_2(transform_out_attribute_2),
         .filter_radius(uniform_filter_radius),
+        .depth_a(uniform_depth_a), .depth_b(uniform_depth_b),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
         .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
         .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
         .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
@@ -2067,27 +2067,25 @@ module splat_evaluation (
     reg [17:0] mx_d1, mx_d2, my_d1, my_d2;
     reg [35:0] s1_chosen_times_my_d1;
     reg [36:0] d_shifted_d1, d_shifted_d2, d_shifted_d3, d_shifted_d4, d_sum_d1, d_d1;
-    reg [35:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2;
-    reg [34:0] weight_out_chosen_bits_d1_copy2;
-    reg [35:0] weight_out_chosen_bits_d1_copy3, weight_out_chosen_bits_d2_copy2;
-    reg [34:0] weight_out_chosen_bits_d1_copy4;
-    reg [35:0] weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d2_copy3;
+    reg [35:0] weight_out_chosen_bits_d1, weight_out_chosen_bits_d2, weight_out_chosen_bits_d1_copy2;
+    reg [35:0] weight_out_chosen_bits_d2_copy2, weight_out_chosen_bits_d3, weight_out_chosen_bits_d1_copy3;
+    reg [35:0] weight_out_chosen_bits_d2_copy3, weight_out_chosen_bits_d3_copy2;
     reg weight_out_same_d1, weight_out_same_d1_copy2, weight_out_same_d1_copy3, not_weight_out_both_d1;
     reg weight_out_both_d1, weight_out_both_d2, weight_out_both_d3;
     reg [35:0] weight_out_chosen_d1, weight_out_chosen_d2, weight_out_chosen_d1_copy2, weight_out_chosen_d2_copy2;
     reg [35:0] weight_out_chosen_d1_copy3, weight_out_chosen_d2_copy3;
     reg weight_out_chosen_bits_is_zero_d1, zero_is_weight_out_chosen_bits_d1;
     reg zero_is_weight_out_chosen_bits_d1_copy2, weight_out_both_d1_copy2, weight_out_either_d1;
-    reg [32:0] weight_out_chosen_bits_d1_copy6, weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8;
+    reg [32:0] weight_out_chosen_bits_d1_copy4, weight_out_chosen_bits_d1_copy5, weight_out_chosen_bits_d1_copy6;
     reg weight_out_same_d1_copy4, weight_out_same_d1_copy5, weight_out_same_d1_copy6;
     reg weight_out_both_d1_copy3, weight_out_either_d1_copy2;
-    reg [24:0] weight_out_chosen_bits_d1_copy9, weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11;
+    reg [24:0] weight_out_chosen_bits_d1_copy7, weight_out_chosen_bits_d1_copy8, weight_out_chosen_bits_d1_copy9;
     reg weight_out_same_d1_copy7, weight_out_same_d1_copy8, weight_out_same_d1_copy9;
     reg weight_out_both_d1_copy4, weight_out_same_d1_copy10, weight_out_both_d1_copy5;
     reg weight_out_either_d1_copy3;
-    reg [18:0] weight_out_chosen_bits_d1_copy12, weight_out_chosen_bits_d1_copy13, weight_out_chosen_bits_d1_copy14;
+    reg [18:0] weight_out_chosen_bits_d1_copy10, weight_out_chosen_bits_d1_copy11, weight_out_chosen_bits_d1_copy12;
     reg weight_out_same_d1_copy11, not_weight_out_both_d1_copy2;
-    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy15, weight_out_chosen_bits_d1_copy16;
+    reg [17:0] denominator_chosen_bits_d1, weight_out_chosen_bits_d1_copy13, weight_out_chosen_bits_d1_copy14;
     reg [35:0] denominator_d1;
     reg [36:0] weight_out_sum_d1;
     reg weight_out_in_order_d1, not_weight_out_either_d1, not_weight_out_either_d2, not_weight_out_either_d3;
@@ -2172,19 +2170,21 @@ module splat_evaluation (
     wire [36:0] d = {s1_chosen_times_my_d1[35], s1_chosen_times_my_d1} + d_sum_d1;
     wire [36:0] not_d = ~d_d1;
     wire [36:0] weight_out_chosen = d_d1[36] ? not_d : d_d1;
-    wire [35:0] not_s1 = ~s1_d1;
-    wire [35:0] weight_out_chosen_copy2 = s1_d1[35] ? not_s1 : s1_d1;
-    wire [35:0] not_s2 = ~s2_d1;
-    wire [35:0] weight_out_chosen_copy3 = s2_d1[35] ? not_s2 : s2_d1;
+    wire [36:0] not_s1_bits = {s1_d1[35], s1_d1};
+    wire [36:0] not_s1 = ~not_s1_bits;
+    wire [36:0] weight_out_chosen_copy2 = s1_d1[35] ? not_s1 : not_s1_bits;
+    wire [36:0] not_s2_bits = {s2_d1[35], s2_d1};
+    wire [36:0] not_s2 = ~not_s2_bits;
+    wire [36:0] weight_out_chosen_copy3 = s2_d1[35] ? not_s2 : not_s2_bits;
     wire weight_out_same = weight_out_chosen_bits_d1[35:4] == 32'd0;
-    wire weight_out_same_copy2 = 32'd0 == {1'd0, weight_out_chosen_bits_d1_copy2[34:4]};
-    wire weight_out_same_copy3 = 32'd0 == {1'd0, weight_out_chosen_bits_d1_copy4[34:4]};
+    wire weight_out_same_copy2 = 32'd0 == weight_out_chosen_bits_d1_copy2[35:4];
+    wire weight_out_same_copy3 = 32'd0 == weight_out_chosen_bits_d1_copy3[35:4];
     wire weight_out_both = weight_out_same_d1_copy2 & weight_out_same_d1_copy3;
     wire not_weight_out_both = ~weight_out_both;
     wire weight_out_both_copy2 = weight_out_same_d1 & not_weight_out_both_d1;
     wire [35:0] weight_out_chosen_copy4 = weight_out_same_d1 ? (weight_out_chosen_bits_d2 << 32) : weight_out_chosen_bits_d2;
-    wire [35:0] weight_out_chosen_copy5 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy2 << 32) : weight_out_chosen_bits_d2_copy2;
-    wire [35:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d2_copy3 << 32) : weight_out_chosen_bits_d2_copy3;
+    wire [35:0] weight_out_chosen_copy5 = weight_out_same_d1 ? (weight_out_chosen_bits_d3 << 32) : weight_out_chosen_bits_d3;
+    wire [35:0] weight_out_chosen_copy6 = weight_out_same_d1 ? (weight_out_chosen_bits_d3_copy2 << 32) : weight_out_chosen_bits_d3_copy2;
     wire weight_out_chosen_bits_is_zero = weight_out_chosen_d1[35:20] == 16'd0;
     wire zero_is_weight_out_chosen_bits = 16'd0 == weight_out_chosen_d1_copy2[35:20];
     wire zero_is_weight_out_chosen_bits_copy2 = 16'd0 == weight_out_chosen_d1_copy3[35:20];
@@ -2202,20 +2202,20 @@ module splat_evaluation (
     wire not_weight_out_both_copy3 = ~weight_out_both_copy5;
     wire weight_out_both_copy6 = weight_out_same_d1_copy4 & not_weight_out_both_copy3;
     wire weight_out_either_copy2 = weight_out_either_d1 | weight_out_both_d1_copy3;
-    wire [32:0] weight_out_chosen_copy10 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 8) : weight_out_chosen_bits_d1_copy6;
-    wire [32:0] weight_out_chosen_copy11 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy7 << 8) : weight_out_chosen_bits_d1_copy7;
-    wire [32:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy8 << 8) : weight_out_chosen_bits_d1_copy8;
+    wire [32:0] weight_out_chosen_copy10 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy4 << 8) : weight_out_chosen_bits_d1_copy4;
+    wire [32:0] weight_out_chosen_copy11 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy5 << 8) : weight_out_chosen_bits_d1_copy5;
+    wire [32:0] weight_out_chosen_copy12 = weight_out_same_d1_copy4 ? (weight_out_chosen_bits_d1_copy6 << 8) : weight_out_chosen_bits_d1_copy6;
     wire weight_out_same_copy7 = weight_out_chosen_copy10[32:29] == 4'd0;
     wire weight_out_same_copy8 = 4'd0 == weight_out_chosen_copy11[32:29];
     wire weight_out_same_copy9 = 4'd0 == weight_out_chosen_copy12[32:29];
     wire weight_out_both_copy7 = weight_out_same_d1_copy8 & weight_out_same_d1_copy9;
     wire not_weight_out_both_copy4 = ~weight_out_both_copy7;
     wire weight_out_both_copy8 = weight_out_same_d1_copy7 & not_weight_out_both_copy4;
-    wire [24:0] weight_out_chosen_copy13 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy9 << 4) : weight_out_chosen_bits_d1_copy9;
+    wire [24:0] weight_out_chosen_copy13 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy7 << 4) : weight_out_chosen_bits_d1_copy7;
     wire weight_out_same_copy10 = weight_out_chosen_copy13[24:23] == 2'd0;
-    wire [24:0] weight_out_chosen_copy14 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy10 << 4) : weight_out_chosen_bits_d1_copy10;
+    wire [24:0] weight_out_chosen_copy14 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy8 << 4) : weight_out_chosen_bits_d1_copy8;
     wire weight_out_same_copy11 = 2'd0 == weight_out_chosen_copy14[24:23];
-    wire [24:0] weight_out_chosen_copy15 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy11 << 4) : weight_out_chosen_bits_d1_copy11;
+    wire [24:0] weight_out_chosen_copy15 = weight_out_same_d1_copy7 ? (weight_out_chosen_bits_d1_copy9 << 4) : weight_out_chosen_bits_d1_copy9;
     wire weight_out_same_copy12 = 2'd0 == weight_out_chosen_copy15[24:23];
     wire weight_out_both_copy9 = weight_out_same_copy11 & weight_out_same_copy12;
     wire weight_out_either_copy3 = weight_out_either_d1_copy2 | weight_out_both_d1_copy4;
@@ -2225,14 +2225,14 @@ module splat_evaluation (
     wire [20:0] weight_out_chosen_copy16 = weight_out_same_copy10 ? (weight_out_chosen_copy13[24:4] << 2) : weight_out_chosen_copy13[24:4];
     wire [20:0] weight_out_chosen_copy17 = weight_out_same_copy10 ? (weight_out_chosen_copy14[24:4] << 2) : weight_out_chosen_copy14[24:4];
     wire [20:0] weight_out_chosen_copy18 = weight_out_same_copy10 ? (weight_out_chosen_copy15[24:4] << 2) : weight_out_chosen_copy15[24:4];
-    wire weight_out_same_copy13 = ~weight_out_chosen_bits_d1_copy12[18];
-    wire weight_out_same_copy14 = ~weight_out_chosen_bits_d1_copy13[18];
-    wire weight_out_same_copy15 = ~weight_out_chosen_bits_d1_copy14[18];
+    wire weight_out_same_copy13 = ~weight_out_chosen_bits_d1_copy10[18];
+    wire weight_out_same_copy14 = ~weight_out_chosen_bits_d1_copy11[18];
+    wire weight_out_same_copy15 = ~weight_out_chosen_bits_d1_copy12[18];
     wire weight_out_both_copy11 = weight_out_same_copy14 & weight_out_same_copy15;
     wire not_weight_out_both_copy6 = ~weight_out_both_copy11;
-    wire [18:0] denominator_chosen = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy12 << 1) : weight_out_chosen_bits_d1_copy12;
-    wire [18:0] weight_out_chosen_copy19 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy13 << 1) : weight_out_chosen_bits_d1_copy13;
-    wire [18:0] weight_out_chosen_copy20 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy14 << 1) : weight_out_chosen_bits_d1_copy14;
+    wire [18:0] denominator_chosen = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy10 << 1) : weight_out_chosen_bits_d1_copy10;
+    wire [18:0] weight_out_chosen_copy19 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy11 << 1) : weight_out_chosen_bits_d1_copy11;
+    wire [18:0] weight_out_chosen_copy20 = weight_out_same_copy13 ? (weight_out_chosen_bits_d1_copy12 << 1) : weight_out_chosen_bits_d1_copy12;
     wire [36:0] weight_out_sum = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
     wire weight_out_in_order = weight_out_sum_d1 < {1'd0, denominator_d1};
     wire weight_out_both_copy12 = weight_out_same_d1_copy11 & not_weight_out_both_d1_copy2;
@@ -2353,13 +2353,13 @@ module splat_evaluation (
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy2 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy15),
-        .b(weight_out_chosen_bits_d1_copy15), .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy13),
+        .b(weight_out_chosen_bits_d1_copy13), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_u18_u18 mul_u18_u18_unit_copy3 (
-        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy16),
-        .b(weight_out_chosen_bits_d1_copy16), .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(in_ready), .a(weight_out_chosen_bits_d1_copy14),
+        .b(weight_out_chosen_bits_d1_copy14), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_u18_u16 mul_u18_u16_unit (
@@ -2425,12 +2425,12 @@ module splat_evaluation (
             d_d1 <= d;
             weight_out_chosen_bits_d1 <= weight_out_chosen[35:0];
             weight_out_chosen_bits_d2 <= weight_out_chosen_bits_d1;
-            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[34:0];
-            weight_out_chosen_bits_d1_copy3 <= {1'd0, weight_out_chosen_bits_d1_copy2};
-            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy3;
-            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy3[34:0];
-            weight_out_chosen_bits_d1_copy5 <= {1'd0, weight_out_chosen_bits_d1_copy4};
-            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy5;
+            weight_out_chosen_bits_d1_copy2 <= weight_out_chosen_copy2[35:0];
+            weight_out_chosen_bits_d2_copy2 <= weight_out_chosen_bits_d1_copy2;
+            weight_out_chosen_bits_d3 <= weight_out_chosen_bits_d2_copy2;
+            weight_out_chosen_bits_d1_copy3 <= weight_out_chosen_copy3[35:0];
+            weight_out_chosen_bits_d2_copy3 <= weight_out_chosen_bits_d1_copy3;
+            weight_out_chosen_bits_d3_copy2 <= weight_out_chosen_bits_d2_copy3;
             weight_out_same_d1 <= weight_out_same;
             weight_out_same_d1_copy2 <= weight_out_same_copy2;
             weight_out_same_d1_copy3 <= weight_out_same_copy3;
@@ -2449,17 +2449,17 @@ module splat_evaluation (
             zero_is_weight_out_chosen_bits_d1_copy2 <= zero_is_weight_out_chosen_bits_copy2;
             weight_out_both_d1_copy2 <= weight_out_both_copy4;
             weight_out_either_d1 <= weight_out_either;
-            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy7[35:3];
-            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy8[35:3];
-            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy9[35:3];
+            weight_out_chosen_bits_d1_copy4 <= weight_out_chosen_copy7[35:3];
+            weight_out_chosen_bits_d1_copy5 <= weight_out_chosen_copy8[35:3];
+            weight_out_chosen_bits_d1_copy6 <= weight_out_chosen_copy9[35:3];
             weight_out_same_d1_copy4 <= weight_out_same_copy4;
             weight_out_same_d1_copy5 <= weight_out_same_copy5;
             weight_out_same_d1_copy6 <= weight_out_same_copy6;
             weight_out_both_d1_copy3 <= weight_out_both_copy6;
             weight_out_either_d1_copy2 <= weight_out_either_copy2;
-            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy10[32:8];
-            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy11[32:8];
-            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy12[32:8];
+            weight_out_chosen_bits_d1_copy7 <= weight_out_chosen_copy10[32:8];
+            weight_out_chosen_bits_d1_copy8 <= weight_out_chosen_copy11[32:8];
+            weight_out_chosen_bits_d1_copy9 <= weight_out_chosen_copy12[32:8];
             weight_out_same_d1_copy7 <= weight_out_same_copy7;
             weight_out_same_d1_copy8 <= weight_out_same_copy8;
             weight_out_same_d1_copy9 <= weight_out_same_copy9;
@@ -2467,14 +2467,14 @@ module splat_evaluation (
             weight_out_same_d1_copy10 <= weight_out_same_copy10;
             weight_out_both_d1_copy5 <= weight_out_both_copy9;
             weight_out_either_d1_copy3 <= weight_out_either_copy4;
-            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy16[20:2];
-            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy17[20:2];
-            weight_out_chosen_bits_d1_copy14 <= weight_out_chosen_copy18[20:2];
+            weight_out_chosen_bits_d1_copy10 <= weight_out_chosen_copy16[20:2];
+            weight_out_chosen_bits_d1_copy11 <= weight_out_chosen_copy17[20:2];
+            weight_out_chosen_bits_d1_copy12 <= weight_out_chosen_copy18[20:2];
             weight_out_same_d1_copy11 <= weight_out_same_copy13;
             not_weight_out_both_d1_copy2 <= not_weight_out_both_copy6;
             denominator_chosen_bits_d1 <= denominator_chosen[18:1];
-            weight_out_chosen_bits_d1_copy15 <= weight_out_chosen_copy19[18:1];
-            weight_out_chosen_bits_d1_copy16 <= weight_out_chosen_copy20[18:1];
+            weight_out_chosen_bits_d1_copy13 <= weight_out_chosen_copy19[18:1];
+            weight_out_chosen_bits_d1_copy14 <= weight_out_chosen_copy20[18:1];
             denominator_d1 <= mul_u18_u18_unit_y;
             weight_out_sum_d1 <= weight_out_sum;
             weight_out_in_order_d1 <= weight_out_in_order;
@@ -2589,10 +2589,10 @@ module splat_evaluation (
         weight_out_chosen_copy11[7:0], weight_out_chosen_copy12[7:0], weight_out_chosen_copy13[3:0],
         weight_out_chosen_copy14[3:0], weight_out_chosen_copy15[3:0], weight_out_chosen_copy16[1:0],
         weight_out_chosen_copy17[1:0], weight_out_chosen_copy18[1:0], weight_out_chosen_copy19[0],
-        weight_out_chosen_copy2[35], weight_out_chosen_copy20[0], weight_out_chosen_copy21[23:22],
+        weight_out_chosen_copy2[36], weight_out_chosen_copy20[0], weight_out_chosen_copy21[23:22],
         weight_out_chosen_copy22[23:22], weight_out_chosen_copy23[23:22], weight_out_chosen_copy24[23:22],
         weight_out_chosen_copy25[23:22], weight_out_chosen_copy26[23:22], weight_out_chosen_copy27[23:22],
-        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[35],
+        weight_out_chosen_copy28[23:22], weight_out_chosen_copy29[23:22], weight_out_chosen_copy3[36],
         weight_out_chosen_copy30[23:22], weight_out_chosen_copy31[23:22], weight_out_chosen_copy32[23:22],
         weight_out_chosen_copy33[23:22], weight_out_chosen_copy34[23:22], weight_out_chosen_copy35[23:22],
         weight_out_chosen_copy7[2:0], weight_out_chosen_copy8[2:0], weight_out_chosen_copy9[2:0],
@@ -4585,14 +4585,14 @@ module splat_setup (
     input  wire [15:0] in_attribute_1,  // Attributes.
     input  wire [15:0] in_attribute_2,  // Attributes.
     input  wire [23:0] filter_radius,  // Radius of the screen filter (px).
+    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
+    input  wire [23:0] depth_b,  // See `depth_a`.
+    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
+    input  wire [23:0] epsilon_bias,  // Constant part.
     input  wire [23:0] scale_x,  // Scale (px).
     input  wire [23:0] origin_x,  // Where the optical axis meets the image (px).
     input  wire [23:0] scale_y,  // Scale (px).
     input  wire [23:0] origin_y,  // Where the optical axis meets the image (px).
-    input  wire [23:0] depth_b,  // See `depth_a`.
-    input  wire [23:0] depth_a,  // Depth is `depth_a + depth_b/z`, in `[0, 1]`.
-    input  wire [23:0] epsilon_scale,  // Scale of the splat's own depth range.
-    input  wire [23:0] epsilon_bias,  // Constant part.
     output wire out_valid, input wire out_ready,  // Footprints with bounds.
     output wire out_end,  // Closes the frame.
     output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -4617,82 +4617,136 @@ module splat_setup (
     output wire [6:0] out_bottom  // Last row.
 );
     (* ram_style = "distributed" *)
-    reg [37:0] delay_5_from_0 [0:3];
-    (* ram_style = "distributed" *)
-    reg [16:0] delay_6_from_0 [0:4];
+    reg [45:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
     reg delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
     reg [47:0] delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg delay_6_from_1 [0:4];
+    reg delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_6_from_4 [0:4];
+    reg delay_5_from_2 [0:3];
     (* ram_style = "distributed" *)
-    reg [20:0] delay_5_from_14 [0:3];
+    reg [79:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
-    reg [15:0] delay_6_from_14 [0:4];
+    reg [4:0] delay_5_from_6 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_7_from_14 [0:5];
-    (* ram_style = "distributed" *)
-    reg [20:0] delay_5_from_15 [0:3];
-    (* ram_style = "distributed" *)
-    reg [36:0] delay_6_from_15 [0:4];
-    (* ram_style = "distributed" *)
-    reg [2:0] delay_7_from_15 [0:5];
+    reg [15:0] delay_5_from_15 [0:3];
     reg [3:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, load_8, load_9, load_10, load_11;
     reg load_12, load_13, load_14, load_15;
     reg [1:0] delay_5_from_0_pointer;
-    reg [37:0] delay_5_from_0_out;
-    reg [2:0] delay_6_from_0_pointer;
-    reg [16:0] delay_6_from_0_out;
+    reg [45:0] delay_5_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg delay_9_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [47:0] delay_10_from_0_out;
-    reg [2:0] delay_6_from_1_pointer;
-    reg delay_6_from_1_out;
-    reg [2:0] delay_6_from_4_pointer;
-    reg [63:0] delay_6_from_4_out;
-    reg [1:0] delay_5_from_14_pointer;
-    reg [20:0] delay_5_from_14_out;
-    reg [2:0] delay_6_from_14_pointer;
-    reg [15:0] delay_6_from_14_out;
-    reg [2:0] delay_7_from_14_pointer;
-    reg delay_7_from_14_out;
+    reg [1:0] delay_5_from_1_pointer;
+    reg delay_5_from_1_out;
+    reg [1:0] delay_5_from_2_pointer;
+    reg delay_5_from_2_out;
+    reg [1:0] delay_5_from_5_pointer;
+    reg [79:0] delay_5_from_5_out;
+    reg [1:0] delay_5_from_6_pointer;
+    reg [4:0] delay_5_from_6_out;
     reg [1:0] delay_5_from_15_pointer;
-    reg [20:0] delay_5_from_15_out;
-    reg [2:0] delay_6_from_15_pointer;
-    reg [36:0] delay_6_from_15_out;
-    reg [2:0] delay_7_from_15_pointer, delay_7_from_15_out;
+    reg [15:0] delay_5_from_15_out;
     reg end_d10;
-    reg [23:0] r_d1, tangent1_z_d1, tangent1_z_d2, alpha_d1, alpha_d2, tangent2_z_d1, tangent2_z_d2, beta_d1;
-    reg [23:0] beta_d2, q_d1, q_d2, f_d1, center_x_d1, center_x_d2, v_x_d1, tangent1_x_d1, tangent1_x_d2;
-    reg [23:0] r_times_tangent1_x_d1, a_x_d1, tangent2_x_d1, tangent2_x_d2, r_times_tangent2_x_d1, b_x_d1;
-    reg [23:0] center_x_d1_copy2, center_x_d2_copy2, alpha_times_a_x_d1, t_x_sum_d1, a_x_squared_d1;
-    reg [23:0] a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
-    reg [23:0] minus_h_x_d1, center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2;
+    reg [23:0] center_x_d1, center_x_d2, center_y_d1, center_y_d2, tangent1_x_d1, tangent1_x_d2, tangent1_y_d1;
+    reg [23:0] tangent1_y_d2, tangent1_z_d1, tangent1_z_d2, tangent2_x_d1, tangent2_x_d2, tangent2_y_d1;
+    reg [23:0] tangent2_y_d2, tangent2_z_d1, tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1, beta_d2, q_d1, q_d2;
+    reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1;
+    reg [23:0] abs_b_depth_d1, spread_half_d1, half_depth_lesser_d1;
+    reg before_far_d1, before_far_d2;
+    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, epsilon_d1, v_x_d1, tangent1_x_times_r_d1;
+    reg [23:0] tangent2_x_times_r_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, alpha_times_a_x_d1, t_x_sum_d1;
+    reg [23:0] a_x_squared_d1, a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1;
+    reg [23:0] center_x_minus_t_x_d2, minus_h_x_d1, center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2;
     reg [23:0] center_x_minus_filter_radius_d3, filter_radius_plus_center_x_d1, filter_radius_plus_center_x_d2;
     reg [23:0] filter_radius_plus_center_x_d3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
     reg [6:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2;
-    reg [23:0] center_y_d1, center_y_d2, v_y_d1, tangent1_y_d1, tangent1_y_d2, r_times_tangent1_y_d1, a_y_d1;
-    reg [23:0] tangent2_y_d1, tangent2_y_d2, r_times_tangent2_y_d1, b_y_d1, center_y_d1_copy2, center_y_d2_copy2;
-    reg [23:0] t_y_sum_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
-    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, minus_h_y_d1, center_y_minus_filter_radius_d1;
-    reg [23:0] center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3, filter_radius_plus_center_y_d1;
-    reg [23:0] filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3;
+    reg [23:0] v_y_d1, tangent1_y_times_r_d1, a_y_d1, tangent2_y_times_r_d1, b_y_d1, center_y_d1_copy2;
+    reg [23:0] center_y_d2_copy2, t_y_sum_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1;
+    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2;
+    reg [23:0] center_y_minus_filter_radius_d1, center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3;
+    reg [23:0] filter_radius_plus_center_y_d1, filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3;
     reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
     reg [6:0] first_y_d1, first_y_d2, first_y_d3, last_y_d1, last_y_d2;
-    reg delta_bits_is_zero_d1;
-    reg [7:0] a_x_times_b_y_bits_d1;
-    reg edge_on_in_order_d1;
-    reg [23:0] b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1;
-    reg [23:0] abs_b_depth_d1, root_of_q_d1, f_times_root_of_q_d1, spread_half_d1, middle_depth_d1, middle_depth_d2;
-    reg [23:0] half_depth_lesser_d1, half_depth_d1, epsilon_d1;
-    reg center_depth_up_to_one_d1, visible_both_d1, occupied_y_and_visible_both_d1, delta_sign_d1;
-    reg end_or_visible_d1, end_or_visible_d2, placed_d1, placed_d2;
+    reg [10:0] a_x_bits_d1, a_x_bits_d2, a_y_bits_d1, a_y_bits_d2, a_exponent_d1, b_x_bits_d1, b_x_bits_d2;
+    reg [10:0] b_y_bits_d1, b_y_bits_d2, b_exponent_d1, a_x_bits_plus_127_d1;
+    reg not_a_x_bits_is_zero_d1, not_a_x_bits_is_zero_d2, unit_delta_both_d1, a_x_bits_is_255_d1;
+    reg a_x_bits_is_255_d2;
+    reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2;
+    reg [7:0] unit_delta_chosen_d1;
+    reg a_x_sign_d1, a_x_sign_d2;
+    reg [23:0] unit_delta_joined_d1, unit_delta_joined_d2;
+    reg [10:0] a_y_bits_plus_127_d1;
+    reg not_a_y_bits_is_zero_d1, not_a_y_bits_is_zero_d2, unit_delta_both_d1_copy2, a_y_bits_is_255_d1;
+    reg a_y_bits_is_255_d2;
+    reg [14:0] a_y_bits_d1_copy2, a_y_bits_d2_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy2;
+    reg a_y_sign_d1, a_y_sign_d2;
+    reg [23:0] unit_delta_joined_d1_copy2;
+    reg [10:0] b_x_bits_plus_127_d1;
+    reg not_b_x_bits_is_zero_d1, not_b_x_bits_is_zero_d2, unit_delta_both_d1_copy3, b_x_bits_is_255_d1;
+    reg b_x_bits_is_255_d2;
+    reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy3;
+    reg b_x_sign_d1, b_x_sign_d2;
+    reg [23:0] unit_delta_joined_d1_copy3;
+    reg [10:0] b_y_bits_plus_127_d1;
+    reg not_b_y_bits_is_zero_d1, not_b_y_bits_is_zero_d2, unit_delta_both_d1_copy4, b_y_bits_is_255_d1;
+    reg b_y_bits_is_255_d2;
+    reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2;
+    reg [7:0] unit_delta_chosen_d1_copy4;
+    reg b_y_sign_d1, b_y_sign_d2;
+    reg [23:0] unit_delta_joined_d1_copy4;
+    reg [10:0] beta_bits_d1, beta_bits_d2, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
+    reg [10:0] b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
+    reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, mx_both_d1, beta_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1;
+    reg [23:0] mx_joined_d1;
+    reg [10:0] mx_sum_d1_copy2;
+    reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, mx_both_d1_copy2, alpha_bits_is_255_d1;
+    reg [7:0] mx_chosen_d1_copy2;
+    reg [23:0] mx_joined_d1_copy2, my_product_d1;
+    reg [10:0] a_exponent_plus_b_exponent_d1, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
+    reg largest_sum_below_100_d1;
+    reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, m_exponent_plus_27_d1, largest_d1;
+    reg [10:0] a_x_bits_plus_381_d1;
+    reg exponent_both_d1;
+    reg [7:0] exponent_chosen_d1;
+    reg [10:0] a_y_bits_plus_381_d1;
+    reg exponent_both_d1_copy2;
+    reg [7:0] exponent_chosen_d1_copy2;
+    reg [10:0] b_x_bits_plus_381_d1;
+    reg exponent_both_d1_copy3;
+    reg [7:0] exponent_chosen_d1_copy3;
+    reg [10:0] b_y_bits_plus_381_d1;
+    reg exponent_both_d1_copy4;
+    reg [7:0] exponent_chosen_d1_copy4;
+    reg [10:0] unit_delta_bits_plus_delta_sum_d1;
+    reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
+    reg [14:0] unit_delta_bits_d1_copy2;
+    reg [7:0] delta_chosen_d1;
+    reg unit_delta_sign_d1;
+    reg [10:0] m_exponent_plus_127_d1, mx_bits_d1;
+    reg largest_below_mx_sum_d1, not_zero_is_mx_bits_d1, mx_bits_is_255_d1;
+    reg [10:0] mx_sum_minus_largest_d1;
+    reg [14:0] mx_bits_d1_copy2;
+    reg mx_bits_d1_copy3;
+    reg [10:0] my_bits_d1;
+    reg largest_below_my_sum_d1, not_zero_is_my_bits_d1, my_bits_is_255_d1;
+    reg [10:0] my_sum_minus_largest_d1;
+    reg [14:0] my_bits_d1_copy2;
+    reg my_bits_d1_copy3;
+    reg [10:0] edge_on_lesser_d1;
+    reg edge_on_lesser_below_32_d1, unit_delta_bits_is_zero_d1;
+    reg [7:0] unit_delta_product_bits_d1;
+    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, end_or_visible_d1;
+    reg end_or_visible_d2, placed_d1, placed_d2;
     reg [29:0] center_x_out_shifted_d1;
     reg [27:0] center_x_out_lesser_d1, center_x_out_d6, center_x_out_d7;
     reg [29:0] center_y_out_shifted_d1;
@@ -4706,44 +4760,52 @@ module splat_setup (
     reg [27:0] shift_chosen_bits_d1_copy2, shift_either_d1;
     reg [28:0] not_shift_difference_d1_copy2;
     reg [10:0] shift_either_bits_d1;
-    reg not_shift_either_bits_is_zero_d1;
-    reg [9:0] shift_either_bits_d1_copy2;
-    reg not_shift_either_bits_is_zero_d1_copy2;
-    reg [8:0] shift_either_bits_d1_copy3;
     reg not_zero_is_shift_either_bits_d1;
+    reg [9:0] shift_either_bits_d1_copy2;
+    reg not_shift_either_bits_is_zero_d1;
+    reg [8:0] shift_either_bits_d1_copy3;
+    reg not_zero_is_shift_either_bits_d1_copy2;
     reg [3:0] shift_chosen_d1;
     reg [7:0] shift_either_bits_d1_copy4;
-    reg not_shift_either_bits_is_zero_d1_copy3;
+    reg not_shift_either_bits_is_zero_d1_copy2;
     reg [6:0] shift_either_bits_d1_copy5;
-    reg not_shift_either_bits_is_zero_d1_copy4;
+    reg not_shift_either_bits_is_zero_d1_copy3;
     reg [5:0] shift_either_bits_d1_copy6;
-    reg not_shift_either_bits_is_zero_d1_copy5;
+    reg not_shift_either_bits_is_zero_d1_copy4;
     reg [3:0] shift_chosen_d1_copy2;
     reg [4:0] shift_either_bits_d1_copy7;
-    reg not_shift_either_bits_is_zero_d1_copy6;
+    reg not_shift_either_bits_is_zero_d1_copy5;
     reg [3:0] shift_either_bits_d1_copy8;
-    reg not_zero_is_shift_either_bits_d1_copy2, shift_either_bits_is_zero_d1;
+    reg not_zero_is_shift_either_bits_d1_copy3, shift_either_bits_is_zero_d1;
     reg [3:0] shift_chosen_d1_copy3;
     reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2;
-    reg [9:0] shift_plus_4_d1, delta_bits_d6, exponent_chosen_d1, a_x_bits_d1, b_y_bits_d1, b_y_bits_d7, mx_bits_d6;
-    reg [9:0] my_bits_d6, exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3;
-    reg [9:0] exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1, a_x_bits_plus_126_d1;
+    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d2, delta_bits_d3, delta_bits_d4, delta_bits_d5;
+    reg [9:0] exponent_chosen_d1_copy5, exponent_joined_bits_d1, exponent_joined_bits_d2, exponent_joined_bits_d3;
+    reg [9:0] exponent_joined_bits_d4, exponent_joined_bits_d5, exponent_joined_bits_d1_copy2;
+    reg [9:0] exponent_joined_bits_d2_copy2, exponent_joined_bits_d3_copy2, exponent_joined_bits_d4_copy2;
+    reg [9:0] exponent_joined_bits_d5_copy2, exponent_joined_bits_d1_copy3, exponent_joined_bits_d2_copy3;
+    reg [9:0] exponent_joined_bits_d3_copy3, exponent_joined_bits_d4_copy3, exponent_joined_bits_d5_copy3;
+    reg [9:0] exponent_joined_bits_d1_copy4, exponent_joined_bits_d2_copy4, exponent_joined_bits_d3_copy4;
+    reg [9:0] exponent_joined_bits_d4_copy4, exponent_joined_bits_d5_copy4, mx_bits_d1_copy4, mx_bits_d2;
+    reg [9:0] mx_bits_d3, mx_bits_d4, mx_bits_d5, my_bits_d1_copy4, my_bits_d2, my_bits_d3, my_bits_d4, my_bits_d5;
+    reg [9:0] exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3, exponent_greater_d1_copy4;
+    reg [9:0] exponent_greater_d1_copy5, exponent_d1, exponent_joined_bits_plus_126_d1;
     reg ax_out_both_d1;
     reg [23:0] ax_out_joined_d1;
     reg [19:0] ax_out_shifted_d1;
     reg [17:0] ax_out_lesser_d1;
-    reg [9:0] b_x_bits_plus_126_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1_copy2;
     reg bx_out_both_d1;
     reg [23:0] bx_out_joined_d1;
     reg [19:0] bx_out_shifted_d1;
     reg [17:0] bx_out_lesser_d1;
-    reg [9:0] a_y_bits_plus_126_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1_copy3;
     reg ay_out_both_d1;
     reg [23:0] ay_out_joined_d1;
     reg [19:0] ay_out_shifted_d1;
     reg [17:0] ay_out_lesser_d1;
-    reg [9:0] b_y_bits_plus_126_d1;
+    reg [9:0] exponent_joined_bits_plus_126_d1_copy4;
     reg by_out_both_d1;
     reg [23:0] by_out_joined_d1;
     reg [19:0] by_out_shifted_d1;
@@ -4762,25 +4824,26 @@ module splat_setup (
     reg [9:0] vanishes_difference_d1;
     reg [23:0] vanishes_joined_d1, vanishes_shifted_d1;
     reg [21:0] vanishes_lesser_d1;
-    reg odd_either_d1, a_y_bits_is_255_d1, odd_either_d1_copy2, odd_either_or_mx_bits_is_255_d1;
+    reg odd_either_d1, exponent_joined_bits_is_255_d1, odd_either_d1_copy2, odd_either_or_mx_bits_is_255_d1;
     reg odd_either_d1_copy3, delta_bits_is_255_d1, vanishes_d1, edge_on_or_not_placed_d1;
-    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_low_out_d1, depth_low_out_d2, depth_high_out_d1;
-    reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a, min_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_a, max_f24_ftz_unit_b, to_fixed_f24_ftz_u21q8_unit_a, le_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_b, to_fixed_f24_ftz_s29q15_unit_a, to_fixed_f24_ftz_s19q18_unit_a;
-    reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
+    reg edge_on_or_not_placed_d2;
+    reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_low_out_d2;
+    reg [23:0] depth_high_out_d1, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
+    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
+    reg [23:0] mul_f24_ftz_unit_copy3_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b, sqrt_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b, max_f24_ftz_unit_a;
+    reg [23:0] max_f24_ftz_unit_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_s29q15_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [9:0] in_flight;
 
     wire queue_in_ready;
     wire [338:0] queue_out_data;
     wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, sqrt_f24_ftz_unit_y;
+    wire le_f24_ftz_unit_y;
     wire [23:0] min_f24_ftz_unit_y, max_f24_ftz_unit_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
-    wire le_f24_ftz_unit_y;
     wire [28:0] to_fixed_f24_ftz_s29q15_unit_y;
     wire [18:0] to_fixed_f24_ftz_s19q18_unit_y;
     wire [22:0] to_fixed_f24_ftz_s23q22_unit_y;
@@ -4788,7 +4851,7 @@ module splat_setup (
 
     wire phase_is_0 = phase == 4'd0;
     wire queue_in_valid_both = in_flight[9] & end_or_visible_d2 & phase_is_0;
-    wire covers_nothing = vanishes_d1 | delay_6_from_1_out;
+    wire covers_nothing = vanishes_d1 | delay_5_from_2_out;
     wire [17:0] ax_out = covers_nothing ? 18'd0 : ax_out_lesser_d1;
     wire [17:0] bx_out = covers_nothing ? 18'd0 : bx_out_lesser_d1;
     wire [17:0] ay_out = covers_nothing ? 18'd0 : ay_out_lesser_d1;
@@ -4802,6 +4865,8 @@ module splat_setup (
     wire phase_is_15 = phase == 4'd15;
     wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
+    wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
+    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d1 : half_depth_lesser_d1;
     wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
@@ -4817,31 +4882,160 @@ module splat_setup (
     wire [6:0] first_y = first_y_shifted_d1_shifted[6:0];
     wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [6:0] last_y = last_y_lesser_minus_1[6:0];
-    wire [8:0] delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire delta_bits_is_zero = delta_bits_is_zero_bits == 9'd0;
-    wire [8:0] delta_bits_plus_12 = delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = delta_bits_plus_12 < {1'd0, a_x_times_b_y_bits_d1};
-    wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
-    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d1 : half_depth_lesser_d1;
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_exponent = (a_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1;
+    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_exponent = (a_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : a_x_bits_d1_bits;
+    wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
+    wire a_x_bits_is_zero = a_x_bits_d1_bits == 11'd0;
+    wire not_a_x_bits_is_zero = ~a_x_bits_is_zero;
+    wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
+    wire unit_delta_both = unit_delta_in_order & not_a_x_bits_is_zero_d1;
+    wire a_x_bits_is_255 = a_x_bits_d1_bits == 11'd255;
+    wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
+    wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
+    wire a_y_bits_is_zero = a_y_bits_d1_bits == 11'd0;
+    wire not_a_y_bits_is_zero = ~a_y_bits_is_zero;
+    wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
+    wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_a_y_bits_is_zero_d1;
+    wire a_y_bits_is_255 = a_y_bits_d1_bits == 11'd255;
+    wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_x_bits_plus_127 = a_x_bits_plus_127;
+    wire b_x_bits_is_zero = a_x_bits_is_zero;
+    wire not_b_x_bits_is_zero = ~b_x_bits_is_zero;
+    wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
+    wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_b_x_bits_is_zero_d1;
+    wire b_x_bits_is_255 = a_x_bits_is_255;
+    wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
+    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
+    wire b_y_bits_is_zero = b_y_bits_d1_bits == 11'd0;
+    wire not_b_y_bits_is_zero = ~b_y_bits_is_zero;
+    wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
+    wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_b_y_bits_is_zero_d1;
+    wire b_y_bits_is_255 = b_y_bits_d1_bits == 11'd255;
+    wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
+    wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
+    wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d2;
+    wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d2;
+    wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
+    wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
+    wire [10:0] mx_sum = beta_bits_d2 + a_exponent_plus_127;
+    wire zero_is_beta_bits = 11'd0 == a_y_bits_d1_bits;
+    wire not_zero_is_beta_bits = ~zero_is_beta_bits;
+    wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
+    wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d2;
+    wire beta_bits_is_255 = 11'd255 == beta_bits_d1;
+    wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
+    wire [10:0] mx_chosen = beta_bits_is_255_d1 ? beta_bits_d2 : mx_sum_minus_m_exponent;
+    wire mx_both_or_beta_bits_is_255 = mx_both_d1 | beta_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d2[14:0]} : 23'd0;
+    wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
+    wire [10:0] mx_sum_copy2 = alpha_bits_d2 + b_exponent_plus_127;
+    wire zero_is_alpha_bits = 11'd0 == a_x_bits_d1_bits;
+    wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
+    wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
+    wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d2;
+    wire alpha_bits_is_255 = 11'd255 == alpha_bits_d1;
+    wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
+    wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d2 : mx_sum_minus_m_exponent_copy2;
+    wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
+    wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d2[14:0]} : 23'd0;
+    wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire [10:0] largest_sum = a_exponent_plus_b_exponent_d1 + unit_delta_bits_d1_bits;
+    wire largest_sum_below_100 = largest_sum < 11'd100;
+    wire [10:0] largest_sum_minus_100 = largest_sum - 11'd100;
+    wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
+    wire [10:0] largest_greater_copy2 = (largest_greater_plus_154_d1 < largest_chosen_d1) ? largest_chosen_d1 : largest_greater_plus_154_d1;
+    wire [10:0] largest_sum_plus_127 = 11'd127 + largest_sum;
+    wire [10:0] largest_in_order_bits = {3'd0, b_depth_d3[22:15]};
+    wire largest_in_order = largest_sum_plus_127_d1 < largest_in_order_bits;
+    wire [10:0] largest_difference = largest_sum_plus_127_d1 - largest_in_order_bits;
+    wire [10:0] largest_chosen_copy2 = largest_in_order ? 11'd0 : largest_difference;
+    wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
+    wire [10:0] m_exponent_plus_27 = m_exponent_d1 + 11'd27;
+    wire [10:0] largest = (largest_greater_d1_copy3 < m_exponent_plus_27_d1) ? m_exponent_plus_27_d1 : largest_greater_d1_copy3;
+    wire [10:0] a_x_bits_plus_381 = a_x_bits_d1 + 11'd381;
+    wire exponent_in_order = largest_d1 < a_x_bits_plus_381_d1;
+    wire exponent_both = not_a_x_bits_is_zero_d2 & exponent_in_order;
+    wire [10:0] exponent_difference = a_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen = a_x_bits_is_255_d2 ? a_x_bits_d2 : exponent_difference;
+    wire [10:0] a_y_bits_plus_381 = a_y_bits_d1 + 11'd381;
+    wire exponent_in_order_copy2 = largest_d1 < a_y_bits_plus_381_d1;
+    wire exponent_both_copy2 = not_a_y_bits_is_zero_d2 & exponent_in_order_copy2;
+    wire [10:0] exponent_difference_copy2 = a_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy3 = a_y_bits_is_255_d2 ? a_y_bits_d2 : exponent_difference_copy2;
+    wire [10:0] b_x_bits_plus_381 = b_x_bits_d1 + 11'd381;
+    wire exponent_in_order_copy3 = largest_d1 < b_x_bits_plus_381_d1;
+    wire exponent_both_copy3 = not_b_x_bits_is_zero_d2 & exponent_in_order_copy3;
+    wire [10:0] exponent_difference_copy3 = b_x_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy5 = b_x_bits_is_255_d2 ? b_x_bits_d2 : exponent_difference_copy3;
+    wire [10:0] b_y_bits_plus_381 = b_y_bits_d1 + 11'd381;
+    wire exponent_in_order_copy4 = largest_d1 < b_y_bits_plus_381_d1;
+    wire exponent_both_copy4 = not_b_y_bits_is_zero_d2 & exponent_in_order_copy4;
+    wire [10:0] exponent_difference_copy4 = b_y_bits_plus_381_d1 - largest_d1;
+    wire [10:0] exponent_chosen_copy7 = b_y_bits_is_255_d2 ? b_y_bits_d2 : exponent_difference_copy4;
+    wire [10:0] delta_sum = 11'd127 + a_exponent_plus_b_exponent_d1;
+    wire [10:0] unit_delta_bits_plus_delta_sum = unit_delta_bits_d1_bits + delta_sum;
+    wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
+    wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
+    wire delta_in_order = largest_d1 < unit_delta_bits_plus_delta_sum_d1;
+    wire delta_both = delta_in_order & not_zero_is_unit_delta_bits_d1;
+    wire unit_delta_bits_is_255 = 11'd255 == unit_delta_bits_d1_bits;
+    wire [10:0] delta_difference = unit_delta_bits_plus_delta_sum_d1 - largest_d1;
+    wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d1 : delta_difference;
+    wire [10:0] m_exponent_plus_127 = 11'd127 + m_exponent_d1;
+    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_y[22:15]};
+    wire [10:0] mx_sum_copy3 = m_exponent_plus_127_d1 + mx_bits_d1_bits;
+    wire largest_below_mx_sum = largest_d1 < mx_sum_copy3;
+    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
+    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
+    wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
+    wire [10:0] mx_sum_minus_largest = mx_sum_copy3 - largest_d1;
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] my_sum = m_exponent_plus_127_d1 + my_bits_d1_bits;
+    wire largest_below_my_sum = largest_d1 < my_sum;
+    wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
+    wire not_zero_is_my_bits = ~zero_is_my_bits;
+    wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
+    wire [10:0] my_sum_minus_largest = my_sum - largest_d1;
+    wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
+    wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
+    wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
     wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
-    wire visible_both = occupied_x & center_depth_up_to_one_d1;
+    wire before_far_and_occupied_x = before_far_d2 & occupied_x;
     wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
-    wire occupied_y_and_visible_both = occupied_y & visible_both_d1;
-    wire edge_on_or_visible_unequal_d5 = delay_5_from_15_out[0];
-    wire visible = occupied_y_and_visible_both_d1 & edge_on_or_visible_unequal_d5;
+    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
+    wire edge_on_or_visible_unequal_d5 = delay_5_from_0_out[0];
+    wire visible = visible_both_d1 & edge_on_or_visible_unequal_d5;
     wire end_or_visible = delay_9_from_0_out | visible;
-    wire [9:0] my_bits_is_255_bits = {2'd0, add_f24_ftz_unit_y[22:15]};
-    wire center_x_bits_below_140 = my_bits_is_255_bits < 10'd140;
-    wire [9:0] mx_bits_is_255_bits = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire center_y_bits_below_140 = mx_bits_is_255_bits < 10'd140;
+    wire center_x_bits_below_140 = {2'd0, add_f24_ftz_unit_y[22:15]} < 10'd140;
+    wire center_y_bits_below_140 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
     wire placed = center_x_bits_below_140 & center_y_bits_below_140;
-    wire [29:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
+    wire [29:0] center_x_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s29q15_unit_y[28];
-    wire [29:0] center_x_out_sum = center_y_out_sum_bits + {29'd0, not_center_x_fixed_sign};
+    wire [29:0] center_x_out_sum = center_x_out_sum_bits + {29'd0, not_center_x_fixed_sign};
     wire [29:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(30'h7ffffff)) ? center_x_out_shifted_d1 : 30'h7ffffff;
-    wire [27:0] center_x_out_d5 = delay_5_from_0_out[27:0];
+    wire [27:0] center_x_out_d5 = delay_5_from_0_out[28:1];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
-    wire [29:0] center_y_out_sum = center_y_out_sum_bits + {29'd0, not_center_y_fixed_sign};
+    wire [29:0] center_y_out_sum = center_x_out_sum_bits + {29'd0, not_center_y_fixed_sign};
     wire [29:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(30'h7ffffff)) ? center_y_out_shifted_d1 : 30'h7ffffff;
     wire [27:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 28'h8000000;
     wire [28:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
@@ -4861,269 +5055,278 @@ module splat_setup (
     wire [28:0] not_shift_difference_copy4 = ~shift_difference_copy4;
     wire [28:0] shift_chosen_copy4 = shift_difference_d1_copy4[28] ? not_shift_difference_d1_copy2 : shift_difference_d1_copy4;
     wire [27:0] shift_either_copy3 = shift_either_d1 | shift_chosen_copy4[27:0];
-    wire shift_either_bits_is_zero = shift_either_bits_d1 == 11'd0;
-    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
-    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy2 == 10'd0;
-    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
-    wire zero_is_shift_either_bits = 9'd0 == shift_either_bits_d1_copy3;
+    wire zero_is_shift_either_bits = 11'd0 == shift_either_bits_d1;
     wire not_zero_is_shift_either_bits = ~zero_is_shift_either_bits;
-    wire [3:0] shift_chosen_copy5 = not_shift_either_bits_is_zero_d1 ? 4'd1 : 4'd0;
-    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd2 : shift_chosen_copy5;
-    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1 ? 4'd3 : shift_chosen_copy6;
-    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy4 == 8'd0;
-    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
-    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy5 == 7'd0;
-    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
-    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy6 == 6'd0;
-    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
-    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd4 : shift_chosen_d1;
-    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd5 : shift_chosen_copy8;
-    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd6 : shift_chosen_copy9;
-    wire shift_either_bits_is_zero_copy6 = shift_either_bits_d1_copy7 == 5'd0;
-    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_copy6;
-    wire zero_is_shift_either_bits_copy2 = 4'd0 == shift_either_bits_d1_copy8;
+    wire shift_either_bits_is_zero = shift_either_bits_d1_copy2 == 10'd0;
+    wire not_shift_either_bits_is_zero = ~shift_either_bits_is_zero;
+    wire zero_is_shift_either_bits_copy2 = 9'd0 == shift_either_bits_d1_copy3;
     wire not_zero_is_shift_either_bits_copy2 = ~zero_is_shift_either_bits_copy2;
-    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[27:25] == 3'd0;
-    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1;
-    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy6 ? 4'd7 : shift_chosen_d1_copy2;
-    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd8 : shift_chosen_copy11;
-    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy7 ? 4'd9 : shift_chosen_copy12;
-    wire shift_either_bits_is_zero_copy8 = shift_either_copy3[27:26] == 2'd0;
+    wire [3:0] shift_chosen_copy5 = not_zero_is_shift_either_bits_d1 ? 4'd1 : 4'd0;
+    wire [3:0] shift_chosen_copy6 = not_shift_either_bits_is_zero_d1 ? 4'd2 : shift_chosen_copy5;
+    wire [3:0] shift_chosen_copy7 = not_zero_is_shift_either_bits_d1_copy2 ? 4'd3 : shift_chosen_copy6;
+    wire shift_either_bits_is_zero_copy2 = shift_either_bits_d1_copy4 == 8'd0;
+    wire not_shift_either_bits_is_zero_copy2 = ~shift_either_bits_is_zero_copy2;
+    wire shift_either_bits_is_zero_copy3 = shift_either_bits_d1_copy5 == 7'd0;
+    wire not_shift_either_bits_is_zero_copy3 = ~shift_either_bits_is_zero_copy3;
+    wire shift_either_bits_is_zero_copy4 = shift_either_bits_d1_copy6 == 6'd0;
+    wire not_shift_either_bits_is_zero_copy4 = ~shift_either_bits_is_zero_copy4;
+    wire [3:0] shift_chosen_copy8 = not_shift_either_bits_is_zero_d1_copy2 ? 4'd4 : shift_chosen_d1;
+    wire [3:0] shift_chosen_copy9 = not_shift_either_bits_is_zero_d1_copy3 ? 4'd5 : shift_chosen_copy8;
+    wire [3:0] shift_chosen_copy10 = not_shift_either_bits_is_zero_d1_copy4 ? 4'd6 : shift_chosen_copy9;
+    wire shift_either_bits_is_zero_copy5 = shift_either_bits_d1_copy7 == 5'd0;
+    wire not_shift_either_bits_is_zero_copy5 = ~shift_either_bits_is_zero_copy5;
+    wire zero_is_shift_either_bits_copy3 = 4'd0 == shift_either_bits_d1_copy8;
+    wire not_zero_is_shift_either_bits_copy3 = ~zero_is_shift_either_bits_copy3;
+    wire shift_either_bits_is_zero_copy6 = shift_either_copy3[27:25] == 3'd0;
+    wire not_shift_either_bits_is_zero_copy6 = ~shift_either_bits_is_zero_d1;
+    wire [3:0] shift_chosen_copy11 = not_shift_either_bits_is_zero_d1_copy5 ? 4'd7 : shift_chosen_d1_copy2;
+    wire [3:0] shift_chosen_copy12 = not_zero_is_shift_either_bits_d1_copy3 ? 4'd8 : shift_chosen_copy11;
+    wire [3:0] shift_chosen_copy13 = not_shift_either_bits_is_zero_copy6 ? 4'd9 : shift_chosen_copy12;
+    wire shift_either_bits_is_zero_copy7 = shift_either_copy3[27:26] == 2'd0;
     wire shift_either_sign_is_zero = ~shift_either_copy3[27];
     wire not_shift_either_sign_is_zero = ~shift_either_sign_is_zero_d1;
-    wire not_shift_either_bits_is_zero_copy8 = ~shift_either_bits_is_zero_d1_copy2;
-    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy8 ? 4'd10 : shift_chosen_d1_copy3;
+    wire not_shift_either_bits_is_zero_copy7 = ~shift_either_bits_is_zero_d1_copy2;
+    wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy7 ? 4'd10 : shift_chosen_d1_copy3;
     wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
     wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
-    wire [9:0] delta_bits_d5 = delay_5_from_14_out[10:1];
+    wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
+    wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
+    wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
     wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d5;
     wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d5 - shift_plus_4_d1;
-    wire [9:0] exponent_chosen = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
-    wire [9:0] a_x_bits_d1_bits = {2'd0, mul_f24_ftz_unit_y[22:15]};
-    wire [9:0] b_y_bits_d1_bits = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire [9:0] b_y_bits_d6 = delay_5_from_15_out[10:1];
-    wire [9:0] mx_bits_d5 = delay_5_from_15_out[20:11];
-    wire [9:0] my_bits_d5 = delay_5_from_0_out[37:28];
-    wire [9:0] a_x_bits_d6 = delay_5_from_14_out[20:11];
-    wire [9:0] exponent_greater = (exponent_chosen_d1 < a_x_bits_d6) ? a_x_bits_d6 : exponent_chosen_d1;
-    wire [9:0] b_x_bits_d6 = delay_6_from_15_out[9:0];
-    wire [9:0] exponent_greater_copy2 = (b_x_bits_d6 < exponent_greater_d1) ? exponent_greater_d1 : b_x_bits_d6;
-    wire [9:0] a_y_bits_d6 = delay_6_from_15_out[19:10];
-    wire [9:0] exponent_greater_copy3 = (a_y_bits_d6 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : a_y_bits_d6;
-    wire [9:0] exponent_greater_copy4 = (b_y_bits_d7 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : b_y_bits_d7;
-    wire [9:0] exponent_greater_copy5 = (mx_bits_d6 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d6;
-    wire [9:0] exponent = (my_bits_d6 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d6;
-    wire [9:0] a_x_bits_plus_126 = a_x_bits_d6 + 10'd126;
-    wire ax_out_in_order = exponent_d1 < a_x_bits_plus_126_d1;
-    wire ax_out_both = ax_out_in_order & delay_7_from_14_out;
-    wire a_x_sign_d6 = delay_6_from_4_out[0];
-    wire [9:0] ax_out_difference = a_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_chosen_copy9 = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
+    wire exponent_either = a_x_bits_is_255_d2 | exponent_both_d1;
+    wire [22:0] exponent_chosen_copy2 = exponent_either ? {exponent_chosen_d1, a_x_bits_d2_copy2} : 23'd0;
+    wire exponent_either_copy3 = b_x_bits_is_255_d2 | exponent_both_d1_copy3;
+    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? {exponent_chosen_d1_copy3, b_x_bits_d2_copy2} : 23'd0;
+    wire exponent_either_copy2 = a_y_bits_is_255_d2 | exponent_both_d1_copy2;
+    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? {exponent_chosen_d1_copy2, a_y_bits_d2_copy2} : 23'd0;
+    wire exponent_either_copy4 = b_y_bits_is_255_d2 | exponent_both_d1_copy4;
+    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? {exponent_chosen_d1_copy4, b_y_bits_d2_copy2} : 23'd0;
+    wire mx_both_copy3 = largest_below_mx_sum_d1 & not_zero_is_mx_bits_d1;
+    wire mx_both_or_mx_bits_is_255 = mx_both_copy3 | mx_bits_is_255_d1;
+    wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_sum_minus_largest_d1;
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_copy5[7:0], mx_bits_d1_copy2} : 23'd0;
+    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
+    wire my_both = largest_below_my_sum_d1 & not_zero_is_my_bits_d1;
+    wire my_both_or_my_bits_is_255 = my_both | my_bits_is_255_d1;
+    wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_sum_minus_largest_d1;
+    wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen[7:0], my_bits_d1_copy2} : 23'd0;
+    wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
+    wire [9:0] exponent_greater = (exponent_chosen_d1_copy5 < exponent_joined_bits_d5) ? exponent_joined_bits_d5 : exponent_chosen_d1_copy5;
+    wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d5_copy2 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d5_copy2;
+    wire [9:0] exponent_greater_copy3 = (exponent_joined_bits_d5_copy3 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_joined_bits_d5_copy3;
+    wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d5_copy4 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d5_copy4;
+    wire [9:0] exponent_greater_copy5 = (mx_bits_d5 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d5;
+    wire [9:0] exponent = (my_bits_d5 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d5;
+    wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d4 + 10'd126;
+    wire ax_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
+    wire ax_out_inverted_d5 = delay_5_from_6_out[0];
+    wire ax_out_both = ax_out_in_order & ax_out_inverted_d5;
+    wire exponent_joined_sign_d5 = delay_5_from_5_out[0];
+    wire [9:0] ax_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] a_x_bits_d6_copy2 = delay_6_from_4_out[15:1];
+    wire [14:0] exponent_joined_bits_d5_copy5 = delay_5_from_5_out[15:1];
     wire [19:0] ax_out_sum_bits = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s19q18_unit_y[18];
     wire [19:0] ax_out_sum = ax_out_sum_bits + {19'd0, not_ax_out_joined_fixed_sign};
     wire [19:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(20'h1ffff)) ? ax_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] b_x_bits_plus_126 = b_x_bits_d6 + 10'd126;
-    wire bx_out_in_order = exponent_d1 < b_x_bits_plus_126_d1;
-    wire not_zero_is_b_x_bits_d7 = delay_7_from_15_out[0];
-    wire bx_out_both = bx_out_in_order & not_zero_is_b_x_bits_d7;
-    wire b_x_sign_d6 = delay_6_from_4_out[16];
-    wire [9:0] bx_out_difference = b_x_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d4_copy2 + 10'd126;
+    wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
+    wire bx_out_inverted_d5 = delay_5_from_6_out[1];
+    wire bx_out_both = bx_out_in_order & bx_out_inverted_d5;
+    wire exponent_joined_sign_d5_copy2 = delay_5_from_5_out[16];
+    wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] b_x_bits_d6_copy2 = delay_6_from_4_out[31:17];
+    wire [14:0] exponent_joined_bits_d5_copy6 = delay_5_from_5_out[31:17];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] bx_out_sum = ax_out_sum_bits + {19'd0, not_bx_out_joined_fixed_sign};
     wire [19:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(20'h1ffff)) ? bx_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] a_y_bits_plus_126 = a_y_bits_d6 + 10'd126;
-    wire ay_out_in_order = exponent_d1 < a_y_bits_plus_126_d1;
-    wire not_zero_is_a_y_bits_d7 = delay_7_from_15_out[1];
-    wire ay_out_both = ay_out_in_order & not_zero_is_a_y_bits_d7;
-    wire a_y_sign_d6 = delay_6_from_4_out[32];
-    wire [9:0] ay_out_difference = a_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_joined_bits_plus_126_copy3 = exponent_joined_bits_d4_copy3 + 10'd126;
+    wire ay_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy3;
+    wire ay_out_inverted_d5 = delay_5_from_6_out[2];
+    wire ay_out_both = ay_out_in_order & ay_out_inverted_d5;
+    wire exponent_joined_sign_d5_copy3 = delay_5_from_5_out[32];
+    wire [9:0] ay_out_difference = exponent_joined_bits_plus_126_d1_copy3 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] a_y_bits_d6_copy2 = delay_6_from_4_out[47:33];
+    wire [14:0] exponent_joined_bits_d5_copy7 = delay_5_from_5_out[47:33];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] ay_out_sum = ax_out_sum_bits + {19'd0, not_ay_out_joined_fixed_sign};
     wire [19:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(20'h1ffff)) ? ay_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] b_y_bits_plus_126 = b_y_bits_d6 + 10'd126;
-    wire by_out_in_order = exponent_d1 < b_y_bits_plus_126_d1;
-    wire not_zero_is_b_y_bits_d7 = delay_7_from_15_out[2];
-    wire by_out_both = by_out_in_order & not_zero_is_b_y_bits_d7;
-    wire b_y_sign_d6 = delay_6_from_4_out[48];
-    wire [9:0] by_out_difference = b_y_bits_plus_126_d1 - exponent_d1;
+    wire [9:0] exponent_joined_bits_plus_126_copy4 = exponent_joined_bits_d4_copy4 + 10'd126;
+    wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy4;
+    wire by_out_inverted_d5 = delay_5_from_6_out[3];
+    wire by_out_both = by_out_in_order & by_out_inverted_d5;
+    wire exponent_joined_sign_d5_copy4 = delay_5_from_5_out[48];
+    wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy4 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] b_y_bits_d6_copy2 = delay_6_from_4_out[63:49];
+    wire [14:0] exponent_joined_bits_d5_copy8 = delay_5_from_5_out[63:49];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] by_out_sum = ax_out_sum_bits + {19'd0, not_by_out_joined_fixed_sign};
     wire [19:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(20'h1ffff)) ? by_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] mx_bits_plus_126 = mx_bits_d5 + 10'd126;
+    wire [9:0] mx_bits_plus_126 = mx_bits_d4 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d6 = delay_6_from_15_out[20];
-    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d6;
-    wire mx_sign_d6 = delay_6_from_15_out[21];
+    wire not_zero_is_mx_bits_d5 = delay_5_from_0_out[29];
+    wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d5;
+    wire mx_sign_d5 = delay_5_from_15_out[0];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d6_copy2 = delay_6_from_15_out[36:22];
+    wire [14:0] mx_bits_d5_copy2 = delay_5_from_15_out[15:1];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] mx_out_sum = ax_out_sum_bits + {19'd0, not_mx_out_joined_fixed_sign};
     wire [19:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(20'h1ffff)) ? mx_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] my_bits_plus_126 = my_bits_d5 + 10'd126;
+    wire [9:0] my_bits_plus_126 = my_bits_d4 + 10'd126;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire not_zero_is_my_bits_d6 = delay_6_from_0_out[0];
-    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d6;
-    wire my_sign_d6 = delay_6_from_0_out[1];
+    wire my_out_both = my_out_in_order & delay_5_from_1_out;
+    wire my_sign_d5 = delay_5_from_0_out[30];
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
-    wire [14:0] my_bits_d6_copy2 = delay_6_from_0_out[16:2];
+    wire [14:0] my_bits_d5_copy2 = delay_5_from_0_out[45:31];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] my_out_sum = ax_out_sum_bits + {19'd0, not_my_out_joined_fixed_sign};
     wire [19:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(20'h1ffff)) ? my_out_shifted_d1 : 20'h1ffff;
     wire [9:0] shift_plus_4_plus_exponent = shift_plus_4_d1 + exponent_d1;
-    wire [9:0] delta_bits_plus_126 = delta_bits_d6 + 10'd126;
+    wire [9:0] delta_bits_plus_126 = delta_bits_d5 + 10'd126;
     wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
     wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d6 = delay_5_from_14_out[0];
-    wire not_zero_is_delta_bits_d6 = delay_6_from_14_out[0];
-    wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d6;
+    wire delta_sign_d5 = delay_5_from_5_out[64];
+    wire not_zero_is_delta_bits_d5 = delay_5_from_6_out[4];
+    wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d5;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d6_copy2 = delay_6_from_14_out[15:1];
+    wire [14:0] delta_bits_d5_copy2 = delay_5_from_5_out[79:65];
     wire [23:0] vanishes_sum_bits = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s23q22_unit_y[22];
     wire [23:0] vanishes_sum = vanishes_sum_bits + {23'd0, not_vanishes_joined_fixed_sign};
     wire [23:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(24'h1fffff)) ? vanishes_shifted_d1 : 24'h1fffff;
-    wire a_x_bits_is_255 = a_x_bits_d1 == 10'd255;
-    wire b_x_bits_is_255 = a_x_bits_d1_bits == 10'd255;
-    wire odd_either = a_x_bits_is_255 | b_x_bits_is_255;
-    wire [9:0] a_y_bits_is_255_bits = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
-    wire a_y_bits_is_255 = a_y_bits_is_255_bits == 10'd255;
-    wire odd_either_or_a_y_bits_is_255 = odd_either_d1 | a_y_bits_is_255_d1;
-    wire b_y_bits_is_255 = b_y_bits_d1 == 10'd255;
-    wire odd_either_copy2 = odd_either_or_a_y_bits_is_255 | b_y_bits_is_255;
-    wire mx_bits_is_255 = mx_bits_is_255_bits == 10'd255;
-    wire odd_either_or_mx_bits_is_255 = odd_either_d1_copy2 | mx_bits_is_255;
-    wire my_bits_is_255 = my_bits_is_255_bits == 10'd255;
-    wire odd_either_copy3 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255;
-    wire delta_bits_is_255 = my_bits_is_255;
+    wire exponent_joined_bits_is_255 = exponent_joined_bits_d1 == 10'd255;
+    wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy2 == 10'd255;
+    wire odd_either = exponent_joined_bits_is_255 | exponent_joined_bits_is_255_copy2;
+    wire exponent_joined_bits_is_255_copy3 = exponent_joined_bits_d1_copy3 == 10'd255;
+    wire odd_either_copy2 = odd_either_d1 | exponent_joined_bits_is_255_d1;
+    wire exponent_joined_bits_is_255_copy4 = exponent_joined_bits_d1_copy4 == 10'd255;
+    wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_copy4;
+    wire mx_bits_is_255_copy2 = mx_bits_d1_copy4 == 10'd255;
+    wire odd_either_or_mx_bits_is_255 = odd_either_d1_copy2 | mx_bits_is_255_copy2;
+    wire my_bits_is_255_copy2 = my_bits_d1_copy4 == 10'd255;
+    wire odd_either_copy4 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255_copy2;
+    wire delta_bits_is_255 = delta_bits_d1 == 10'd255;
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(22'd32);
     wire vanishes_in_order_copy3 = $signed(22'h3fffe0) < $signed(vanishes_lesser_d1);
     wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
-    wire edge_on = delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on = edge_on_lesser_below_32_d1 | edge_on_either;
     wire not_placed = ~placed_d2;
     wire edge_on_or_not_placed = edge_on | not_placed;
     wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[0] ? beta_d2 : alpha_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? mul_f24_ftz_unit_a_choice : phase[0] ? scale_x : beta_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[2] ? mul_f24_ftz_unit_a_choice_2 : phase[1] ? mul_f24_ftz_unit_y : scale_x;
-    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[1] ? r_d1 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_a_choice_5 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : phase[1] ? (phase[0] ? alpha_d2 : beta_d2) : b_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_y : v_x_d1) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? tangent1_y_d2 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : t_x_sum_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? b_x_d1 : a_y_d1) : phase[0] ? a_y_d1 : b_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[2] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? alpha_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : alpha_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : phase[0] ? scale_y : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? (phase[0] ? r_d1 : abs_b_depth_d1) : phase[0] ? abs_b_depth_d1 : a_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy2_y : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice_2 : mul_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? tangent2_y_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : a_x_squared_plus_b_x_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? (phase[0] ? depth_b : f_times_root_of_q_d1) : phase[0] ? f_times_root_of_q_d1 : a_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_5 : mul_f24_ftz_unit_copy2_b_choice_6;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? beta_d2 : b_depth_d3) : phase[0] ? half_depth_d1 : beta_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : f_d1) : phase[0] ? scale_y : q_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? beta_d2 : half_depth_d1) : phase[0] ? f_d1 : beta_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d3) : scale_x;
+    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? r_d1 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : q_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? abs_b_depth_d1 : unit_delta_joined_d1) : phase[0] ? unit_delta_joined_d1_copy4 : b_x_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : epsilon_scale) : phase[0] ? sqrt_f24_ftz_unit_y : v_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : unit_delta_joined_d1_copy4) : phase[0] ? mx_joined_d1_copy2 : b_x_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[2] ? (phase[1] ? (phase[0] ? depth_b : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? scale_y : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? (phase[1] ? alpha_d2 : phase[0] ? scale_x : alpha_d1) : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? tangent1_y_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? unit_delta_joined_d1_copy2 : phase[0] ? unit_delta_joined_d1_copy2 : a_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice : phase[0] ? v_x_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? add_f24_ftz_unit_copy2_y : a_x_squared_plus_b_x_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy2_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? unit_delta_joined_d1_copy3 : phase[0] ? mx_joined_d1 : a_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? (phase[1] ? r_d1 : phase[0] ? recip_f24_ftz_unit_y : t_x_sum_d1) : mul_f24_ftz_unit_copy2_b_choice_6;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? beta_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : beta_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy2_a_choice;
     wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[0] ? a_x_d1 : b_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_copy3_a_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : root_of_q_d1) : phase[0] ? add_f24_ftz_unit_copy3_y : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? (phase[1] ? center_y_d2 : phase[0] ? center_x_d2 : t_y_sum_d1) : phase[1] ? mul_f24_ftz_unit_copy3_a_choice_4 : b_y_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? center_y_minus_t_y_d2 : phase[0] ? filter_radius : center_x_minus_t_x_d2;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_d2_copy2) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_squared_d1) : phase[0] ? alpha_times_a_x_d1 : center_depth_d1;
-    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : r_times_tangent2_x_d1) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_6 = phase[2] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? minus_h_y_d1 : phase[0] ? center_y_d2_copy2 : minus_h_x_d1;
-    wire [23:0] minus_mul_f24_ftz_unit_y = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy3_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_x_d2_copy2 : minus_mul_f24_ftz_unit_y) : add_f24_ftz_unit_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_y : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? origin_x : minus_mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[2] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_6;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? tangent2_y_d2 : center_y_d2) : phase[0] ? center_x_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? unit_delta_joined_d2 : phase[0] ? unit_delta_joined_d1_copy3 : b_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy3_y : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_5 = phase[2] ? (phase[1] ? r_d1 : phase[0] ? recip_f24_ftz_unit_y : t_y_sum_d1) : phase[1] ? mx_joined_d1 : phase[0] ? mx_joined_d1_copy2 : b_y_d1;
     wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? (phase[1] ? minus_filter_radius : center_x_d2_copy2) : add_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : r_times_tangent1_y_d1) : phase[0] ? r_times_tangent1_x_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy2_a_choice_3;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : center_x_minus_t_x_d2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? (phase[1] ? center_y_d2_copy2 : minus_filter_radius) : add_f24_ftz_unit_copy2_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mul_f24_ftz_unit_copy3_y : origin_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[0] ? origin_y : {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_5 : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_6;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[2] ? (phase[1] ? middle_depth_d2 : sqrt_f24_ftz_unit_y) : phase[1] ? center_y_d2_copy2 : b_depth_d2;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : r_times_tangent2_y_d1) : r_times_tangent2_y_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? (phase[1] ? b_depth_d2 : middle_depth_d2) : add_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? {~epsilon_d1[23], epsilon_d1[22:0]} : center_y_minus_t_y_d2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[2] ? add_f24_ftz_unit_copy3_b_choice : phase[1] ? minus_mul_f24_ftz_unit_copy3_y : depth_a;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? epsilon_bias : minus_mul_f24_ftz_unit_copy3_y) : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? (phase[1] ? depth_a : epsilon_d1) : add_f24_ftz_unit_copy3_b_choice_3;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? t_y_squared_plus_h_y_product_d1 : phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[2] ? t_y_squared_plus_h_y_product_d1 : sqrt_f24_ftz_unit_a_choice;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? 24'h45fff8 : phase[0] ? add_f24_ftz_unit_y : max_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice_3 = phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? center_y_minus_filter_radius_d3 : 24'h45fff8;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? center_x_minus_filter_radius_d3 : abs_b_depth_d1) : abs_b_depth_d1;
-    wire [23:0] min_f24_ftz_unit_b_choice_3 = phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'd0 : min_f24_ftz_unit_y) : phase[0] ? 24'd0 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[2] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_a_choice_2;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d1) : min_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy3_y : filter_radius_plus_center_y_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : 24'd0) : max_f24_ftz_unit_b_choice_2;
-    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[1] ? max_f24_ftz_unit_b_choice_4 : filter_radius_plus_center_x_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_6 = phase[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? minus_filter_radius : phase[0] ? minus_filter_radius : depth_a;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_minus_t_x_d2 : center_x_d2_copy2) : phase[0] ? spread_middle_d1 : 24'h3f8000;
+    wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_squared_d1) : phase[0] ? alpha_times_a_x_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? origin_x : tangent2_x_times_r_d1) : phase[0] ? mul_f24_ftz_unit_y : center_depth_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice_6 = phase[2] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? center_y_d2_copy2 : phase[0] ? center_y_d2_copy2 : b_depth_d2;
+    wire [23:0] minus_mul_f24_ftz_unit_copy2_y = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_y = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? minus_h_x_d1 : minus_mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_y : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : epsilon_bias;
+    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : minus_mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[2] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_6;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? center_x_d2_copy2 : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? center_y_minus_t_y_d2 : add_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : origin_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? origin_y : tangent1_y_times_r_d1) : phase[0] ? tangent1_x_times_r_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = phase[2] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_filter_radius : center_x_minus_t_x_d2) : minus_mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[2] ? minus_sqrt_f24_ftz_unit_y : add_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy3_y : minus_mul_f24_ftz_unit_copy2_y;
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_b_choice_4;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? filter_radius : phase[0] ? filter_radius : sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_y_d2_copy2) : my_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? middle_depth_d2 : tangent2_y_times_r_d1) : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? center_y_d2_copy2 : phase[0] ? center_y_d2_copy2 : center_y_minus_t_y_d2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? center_x_d2_copy2 : minus_mul_f24_ftz_unit_copy3_y) : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? epsilon_d1 : minus_mul_f24_ftz_unit_copy3_y) : phase[0] ? {~epsilon_d1[23], epsilon_d1[22:0]} : h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_copy2_y;
     wire [23:0] le_f24_ftz_unit_a_choice = phase[2] ? (phase[1] ? center_depth_d2 : phase[0] ? center_depth_d2 : 24'd0) : 24'd0;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y) : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? 24'h45fff8 : max_f24_ftz_unit_y) : min_f24_ftz_unit_a_choice;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[0] ? center_y_minus_filter_radius_d3 : center_x_minus_filter_radius_d3;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[2] ? (phase[1] ? max_f24_ftz_unit_y : 24'h45fff8) : phase[1] ? min_f24_ftz_unit_b_choice : abs_b_depth_d1;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? add_f24_ftz_unit_copy3_y : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? min_f24_ftz_unit_y : phase[0] ? min_f24_ftz_unit_y : middle_depth_d1;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[1] ? max_f24_ftz_unit_b_choice_3 : filter_radius_plus_center_x_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
     wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice = phase[1] ? (phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice_2 = phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s29q15_unit_a_choice;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = phase[2] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : ax_out_joined_d1;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = phase[2] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : ax_out_joined_d1;
+    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
+    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
     wire [27:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 28'h8000000;
-    wire zero_is_my_bits = 10'd0 == my_bits_is_255_bits;
-    wire not_zero_is_my_bits = ~zero_is_my_bits;
-    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
-    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d1;
-    wire zero_is_delta_bits = zero_is_my_bits;
-    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
-    wire zero_is_a_x_bits = 10'd0 == a_x_bits_d1_bits;
-    wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
-    wire visible_unequal_copy2 = delta_sign_d1 ^ visible_unequal;
+    wire visible_unequal_copy2 = unit_delta_sign_d1 ^ visible_unequal;
     wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
-    wire zero_is_mx_bits = 10'd0 == mx_bits_is_255_bits;
-    wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire zero_is_b_y_bits = 10'd0 == b_y_bits_d1_bits;
-    wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
-    wire zero_is_a_y_bits = 10'd0 == a_y_bits_is_255_bits;
-    wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
-    wire zero_is_b_x_bits = zero_is_a_x_bits;
-    wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
+    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
+    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
+    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
+    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d2;
+    wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
+    wire not_zero_is_delta_bits = ~zero_is_delta_bits;
+    wire zero_is_exponent_joined_bits_copy4 = 10'd0 == exponent_joined_bits_d1_copy4;
+    wire by_out_inverted = ~zero_is_exponent_joined_bits_copy4;
+    wire zero_is_exponent_joined_bits_copy3 = 10'd0 == exponent_joined_bits_d1_copy3;
+    wire ay_out_inverted = ~zero_is_exponent_joined_bits_copy3;
+    wire zero_is_exponent_joined_bits_copy2 = 10'd0 == exponent_joined_bits_d1_copy2;
+    wire bx_out_inverted = ~zero_is_exponent_joined_bits_copy2;
+    wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
+    wire ax_out_inverted = ~zero_is_exponent_joined_bits;
 
     assign in_ready = load_0;
     assign {
@@ -5136,7 +5339,7 @@ module splat_setup (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
             end_d10, center_x_out_d7, center_y_out_d6, ax_out, bx_out, ay_out, by_out, delta_out, mx_out, my_out,
-            shift_d2, depth_out_d3, depth_low_out_d2, depth_high_out_d1, attribute_0_d10, attribute_1_d10,
+            shift_d2, depth_out_d4, depth_low_out_d2, depth_high_out_d1, attribute_0_d10, attribute_1_d10,
             attribute_2_d10, first_x_d3, last_x_d2, first_y_d3, last_y_d2
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
@@ -5180,6 +5383,11 @@ module splat_setup (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
+    float_le_s2_f24ftz le_f24_ftz_unit (
+        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
+        .y(le_f24_ftz_unit_y)
+    );
+
     float_min_s2_f24ftz min_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
@@ -5193,11 +5401,6 @@ module splat_setup (
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
-    );
-
-    float_le_s2_f24ftz le_f24_ftz_unit (
-        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
-        .y(le_f24_ftz_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w29_f15_signed to_fixed_f24_ftz_s29q15_unit (
@@ -5239,17 +5442,13 @@ module splat_setup (
             load_14 <= 1'd0;
             load_15 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
-            delay_6_from_1_pointer <= 3'd0;
-            delay_6_from_4_pointer <= 3'd0;
-            delay_5_from_14_pointer <= 2'd0;
-            delay_6_from_14_pointer <= 3'd0;
-            delay_7_from_14_pointer <= 3'd0;
+            delay_5_from_1_pointer <= 2'd0;
+            delay_5_from_2_pointer <= 2'd0;
+            delay_5_from_5_pointer <= 2'd0;
+            delay_5_from_6_pointer <= 2'd0;
             delay_5_from_15_pointer <= 2'd0;
-            delay_6_from_15_pointer <= 3'd0;
-            delay_7_from_15_pointer <= 3'd0;
             in_flight <= 10'd0;
         end else begin
             phase <= phase_next;
@@ -5271,54 +5470,69 @@ module splat_setup (
             load_15 <= advance_next & (phase_next == 4'd15);
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
                 in_flight <= {in_flight[8:0], in_valid};
             end
             if (load_1) begin
-                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
+                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
             end
-            if (load_4) begin
-                delay_6_from_4_pointer <= (delay_6_from_4_pointer == 3'd4) ? (delay_6_from_4_pointer - 3'd4) : (delay_6_from_4_pointer + 3'd1);
+            if (load_2) begin
+                delay_5_from_2_pointer <= (delay_5_from_2_pointer == 2'd3) ? (delay_5_from_2_pointer - 2'd3) : (delay_5_from_2_pointer + 2'd1);
             end
-            if (load_14) begin
-                delay_5_from_14_pointer <= (delay_5_from_14_pointer == 2'd3) ? (delay_5_from_14_pointer - 2'd3) : (delay_5_from_14_pointer + 2'd1);
-                delay_6_from_14_pointer <= (delay_6_from_14_pointer == 3'd4) ? (delay_6_from_14_pointer - 3'd4) : (delay_6_from_14_pointer + 3'd1);
-                delay_7_from_14_pointer <= (delay_7_from_14_pointer == 3'd5) ? (delay_7_from_14_pointer - 3'd5) : (delay_7_from_14_pointer + 3'd1);
+            if (load_5) begin
+                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+            end
+            if (load_6) begin
+                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
             end
             if (load_15) begin
                 delay_5_from_15_pointer <= (delay_5_from_15_pointer == 2'd3) ? (delay_5_from_15_pointer - 2'd3) : (delay_5_from_15_pointer + 2'd1);
-                delay_6_from_15_pointer <= (delay_6_from_15_pointer == 3'd4) ? (delay_6_from_15_pointer - 3'd4) : (delay_6_from_15_pointer + 3'd1);
-                delay_7_from_15_pointer <= (delay_7_from_15_pointer == 3'd5) ? (delay_7_from_15_pointer - 3'd5) : (delay_7_from_15_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
             end_d10 <= delay_9_from_0_out;
-            tangent1_z_d1 <= in_tangent1_z;
-            tangent1_z_d2 <= tangent1_z_d1;
-            tangent2_z_d1 <= in_tangent2_z;
-            tangent2_z_d2 <= tangent2_z_d1;
             center_x_d1 <= in_center_x;
             center_x_d2 <= center_x_d1;
-            tangent1_x_d1 <= in_tangent1_x;
-            tangent1_x_d2 <= tangent1_x_d1;
-            tangent2_x_d1 <= in_tangent2_x;
-            tangent2_x_d2 <= tangent2_x_d1;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
             center_y_d1 <= in_center_y;
             center_y_d2 <= center_y_d1;
+            tangent1_x_d1 <= in_tangent1_x;
+            tangent1_x_d2 <= tangent1_x_d1;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_y_d2 <= tangent1_y_d1;
+            tangent1_z_d1 <= in_tangent1_z;
+            tangent1_z_d2 <= tangent1_z_d1;
+            tangent2_x_d1 <= in_tangent2_x;
+            tangent2_x_d2 <= tangent2_x_d1;
             tangent2_y_d1 <= in_tangent2_y;
             tangent2_y_d2 <= tangent2_y_d1;
+            tangent2_z_d1 <= in_tangent2_z;
+            tangent2_z_d2 <= tangent2_z_d1;
+            before_far_d1 <= le_f24_ftz_unit_y;
+            before_far_d2 <= before_far_d1;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            f_times_root_of_q_d1 <= mul_f24_ftz_unit_copy3_y;
-            center_depth_up_to_one_d1 <= le_f24_ftz_unit_y;
-            visible_both_d1 <= visible_both;
+            unit_delta_both_d1 <= unit_delta_both;
+            unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
+            unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
+            unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
+            unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
+            unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
+            unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
+            unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
+            a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
+            b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
+            mx_sum_d1 <= mx_sum;
+            mx_sum_d1_copy2 <= mx_sum_copy2;
+            a_exponent_plus_b_exponent_d1 <= a_exponent_plus_b_exponent;
+            largest_greater_d1 <= largest_greater;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            edge_on_lesser_d1 <= edge_on_lesser;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
             center_x_out_d6 <= center_x_out_d5;
             center_x_out_d7 <= center_x_out_d6;
             center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
@@ -5328,21 +5542,18 @@ module splat_setup (
             center_y_out_d4 <= center_y_out_d3;
             center_y_out_d5 <= center_y_out_d4;
             center_y_out_d6 <= center_y_out_d5;
-            shift_difference_d1_copy3 <= shift_difference_copy3;
-            my_bits_d6 <= my_bits_d5;
+            my_bits_d1_copy4 <= {2'd0, my[22:15]};
+            my_bits_d2 <= my_bits_d1_copy4;
+            my_bits_d3 <= my_bits_d2;
+            my_bits_d4 <= my_bits_d3;
+            my_bits_d5 <= my_bits_d4;
             exponent_greater_d1_copy4 <= exponent_greater_copy4;
-            odd_either_d1_copy2 <= odd_either_copy2;
-            odd_either_d1_copy3 <= odd_either_copy3;
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
         end
         if (load_5) begin
             r_d1 <= recip_f24_ftz_unit_y;
-            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
-            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
-            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
-            half_depth_d1 <= half_depth;
             shift_either_bits_d1 <= shift_either_copy3[27:17];
             shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
             shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
@@ -5351,153 +5562,138 @@ module splat_setup (
             shift_either_bits_d1_copy6 <= shift_either_copy3[27:22];
             shift_either_bits_d1_copy7 <= shift_either_copy3[27:23];
             shift_either_bits_d1_copy8 <= shift_either_copy3[27:24];
-            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy7;
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy8;
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
             shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
+            delta_bits_d1 <= {2'd0, delta[22:15]};
+            delta_bits_d2 <= delta_bits_d1;
+            delta_bits_d3 <= delta_bits_d2;
+            delta_bits_d4 <= delta_bits_d3;
+            delta_bits_d5 <= delta_bits_d4;
+            exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy2[22:15]};
+            exponent_joined_bits_d2 <= exponent_joined_bits_d1;
+            exponent_joined_bits_d3 <= exponent_joined_bits_d2;
+            exponent_joined_bits_d4 <= exponent_joined_bits_d3;
+            exponent_joined_bits_d5 <= exponent_joined_bits_d4;
+            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy6[22:15]};
+            exponent_joined_bits_d2_copy2 <= exponent_joined_bits_d1_copy2;
+            exponent_joined_bits_d3_copy2 <= exponent_joined_bits_d2_copy2;
+            exponent_joined_bits_d4_copy2 <= exponent_joined_bits_d3_copy2;
+            exponent_joined_bits_d5_copy2 <= exponent_joined_bits_d4_copy2;
+            exponent_joined_bits_d1_copy3 <= {2'd0, exponent_chosen_copy4[22:15]};
+            exponent_joined_bits_d2_copy3 <= exponent_joined_bits_d1_copy3;
+            exponent_joined_bits_d3_copy3 <= exponent_joined_bits_d2_copy3;
+            exponent_joined_bits_d4_copy3 <= exponent_joined_bits_d3_copy3;
+            exponent_joined_bits_d5_copy3 <= exponent_joined_bits_d4_copy3;
+            exponent_joined_bits_d1_copy4 <= {2'd0, exponent_chosen_copy8[22:15]};
+            exponent_joined_bits_d2_copy4 <= exponent_joined_bits_d1_copy4;
+            exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
+            exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
+            exponent_joined_bits_d5_copy4 <= exponent_joined_bits_d4_copy4;
         end
         if (load_11) begin
             alpha_d1 <= mul_f24_ftz_unit_y;
             alpha_d2 <= alpha_d1;
             beta_d1 <= mul_f24_ftz_unit_copy2_y;
             beta_d2 <= beta_d1;
+            epsilon_d1 <= add_f24_ftz_unit_y;
             v_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            spread_middle_d1 <= add_f24_ftz_unit_y;
-            root_of_q_d1 <= sqrt_f24_ftz_unit_y;
+            beta_bits_d1 <= a_y_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
+            alpha_bits_d1 <= a_x_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
             shift_plus_4_d1 <= shift_plus_4;
             bx_out_lesser_d1 <= bx_out_lesser[17:0];
             ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
+            depth_out_d4 <= depth_out_d3;
         end
         if (load_8) begin
             q_d1 <= add_f24_ftz_unit_y;
             q_d2 <= q_d1;
+            unit_delta_product_bits_d1 <= mul_f24_ftz_unit_y[22:15];
             shift_chosen_d1_copy2 <= shift_chosen_copy10;
             vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
         end
         if (load_4) begin
             f_d1 <= recip_f24_ftz_unit_y;
-            alpha_times_a_x_d1 <= mul_f24_ftz_unit_y;
-            a_x_squared_d1 <= mul_f24_ftz_unit_copy2_y;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_y;
+            alpha_times_a_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            a_x_squared_d1 <= mul_f24_ftz_unit_copy3_y;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
+            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
+            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
             filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
             filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            exponent_both_d1 <= exponent_both;
+            exponent_chosen_d1 <= exponent_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
+            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
             center_y_out_d1_copy2 <= {center_y_out_d4[27], center_y_out_d4};
             shift_difference_d1_copy4 <= shift_difference_copy4;
             not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
-            a_x_bits_plus_126_d1 <= a_x_bits_plus_126;
-            ax_out_joined_d1 <= {a_x_sign_d6, ax_out_chosen[7:0], a_x_bits_d6_copy2};
-            b_x_bits_plus_126_d1 <= b_x_bits_plus_126;
-            bx_out_joined_d1 <= {b_x_sign_d6, bx_out_chosen[7:0], b_x_bits_d6_copy2};
-            a_y_bits_plus_126_d1 <= a_y_bits_plus_126;
-            ay_out_joined_d1 <= {a_y_sign_d6, ay_out_chosen[7:0], a_y_bits_d6_copy2};
-            b_y_bits_plus_126_d1 <= b_y_bits_plus_126;
-            by_out_joined_d1 <= {b_y_sign_d6, by_out_chosen[7:0], b_y_bits_d6_copy2};
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
+            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
+            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
+            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
+            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
             mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d6, mx_out_chosen[7:0], mx_bits_d6_copy2};
+            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
             my_bits_plus_126_d1 <= my_bits_plus_126;
-            my_out_joined_d1 <= {my_sign_d6, my_out_chosen[7:0], my_bits_d6_copy2};
-            vanishes_joined_d1 <= {delta_sign_d6, vanishes_chosen[7:0], delta_bits_d6_copy2};
+            my_out_joined_d1 <= {my_sign_d5, my_out_chosen[7:0], my_bits_d5_copy2};
+            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
         end
-        if (load_12) begin
-            r_times_tangent1_x_d1 <= mul_f24_ftz_unit_y;
-            r_times_tangent2_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            v_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
-            exponent_chosen_d1 <= exponent_chosen;
-            ay_out_lesser_d1 <= ay_out_lesser[17:0];
-            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_low_out_d2 <= depth_low_out_d1;
-        end
-        if (load_14) begin
-            a_x_d1 <= mul_f24_ftz_unit_y;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            delta_bits_is_zero_d1 <= delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            delta_sign_d1 <= add_f24_ftz_unit_y[23];
-            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
-            shift_difference_d1 <= shift_difference;
-            delta_bits_d6 <= delta_bits_d5;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[17:0];
-            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
-            delta_bits_is_255_d1 <= delta_bits_is_255;
-        end
-        if (load_15) begin
-            b_x_d1 <= mul_f24_ftz_unit_y;
-            last_x_lesser_d1 <= last_x_lesser;
-            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy3_y;
+        if (load_13) begin
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_y;
+            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
+            tangent2_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
             first_y_shifted_d1 <= first_y_shifted_d1_shifted;
             first_y_d1 <= first_y;
             first_y_d2 <= first_y_d1;
             first_y_d3 <= first_y_d2;
-            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
-            shift_chosen_bits_d1 <= shift_chosen[27:0];
+            shift_difference_d1 <= shift_difference;
             shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
-            b_y_bits_d1 <= b_y_bits_d1_bits;
-            b_y_bits_d7 <= b_y_bits_d6;
-            mx_bits_d6 <= mx_bits_d5;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[17:0];
-            odd_either_d1 <= odd_either;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-        end
-        if (load_10) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            minus_h_x_d1 <= minus_sqrt_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            epsilon_d1 <= add_f24_ftz_unit_copy3_y;
-            placed_d1 <= placed;
-            placed_d2 <= placed_d1;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-            ax_out_lesser_d1 <= ax_out_lesser[17:0];
-            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
-            vanishes_d1 <= vanishes;
-        end
-        if (load_13) begin
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_y;
-            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
-            first_x_d1 <= first_x;
-            first_x_d2 <= first_x_d1;
-            first_x_d3 <= first_x_d2;
-            r_times_tangent1_y_d1 <= mul_f24_ftz_unit_y;
-            r_times_tangent2_y_d1 <= mul_f24_ftz_unit_copy2_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            center_depth_d1 <= add_f24_ftz_unit_copy3_y;
-            center_depth_d2 <= center_depth_d1;
-            shift_shifted_d1 <= {22'd0, first_x} << 14;
             exponent_greater_d1 <= exponent_greater;
             by_out_lesser_d1 <= by_out_lesser[17:0];
             mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
         end
-        if (load_1) begin
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            last_y_lesser_d1 <= last_y_lesser;
-            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
-            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-        end
         if (load_3) begin
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
-            center_x_minus_filter_radius_d3 <= center_x_minus_filter_radius_d2;
+            center_depth_d1 <= add_f24_ftz_unit_y;
+            center_depth_d2 <= center_depth_d1;
+            abs_b_depth_d1 <= {1'd0, b_depth_d3[22:0]};
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_d1 <= half_depth;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
+            m_exponent_plus_27_d1 <= m_exponent_plus_27;
+            largest_d1 <= largest;
             end_or_visible_d1 <= end_or_visible;
             end_or_visible_d2 <= end_or_visible_d1;
             shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
@@ -5511,66 +5707,224 @@ module splat_setup (
             vanishes_in_order_d1 <= vanishes_in_order;
             vanishes_difference_d1 <= vanishes_difference;
         end
-        if (load_2) begin
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_y;
-            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
-            filter_radius_plus_center_x_d3 <= filter_radius_plus_center_x_d2;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
-            occupied_y_and_visible_both_d1 <= occupied_y_and_visible_both;
-            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-            exponent_d1 <= exponent;
-            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
         if (load_7) begin
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
-            a_x_times_b_y_bits_d1 <= mul_f24_ftz_unit_copy3_y[22:15];
-            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
+            my_product_d1 <= mul_f24_ftz_unit_copy3_y;
             shift_chosen_d1 <= shift_chosen_copy7;
+            odd_either_d1_copy2 <= odd_either_copy3;
         end
         if (load_9) begin
-            b_depth_d1 <= mul_f24_ftz_unit_copy2_y;
-            b_depth_d2 <= b_depth_d1;
-            b_depth_d3 <= b_depth_d2;
+            spread_half_d1 <= mul_f24_ftz_unit_y;
             shift_chosen_d1_copy3 <= shift_chosen_copy13;
             ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
             vanishes_lesser_d1 <= vanishes_lesser[21:0];
         end
+        if (load_12) begin
+            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
+            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            v_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
+            shift_shifted_d1 <= {22'd0, first_x} << 14;
+            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
+            ay_out_lesser_d1 <= ay_out_lesser[17:0];
+            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+        end
+        if (load_15) begin
+            b_x_d1 <= mul_f24_ftz_unit_y;
+            last_x_lesser_d1 <= last_x_lesser;
+            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            a_y_bits_d1 <= a_y_bits_d1_bits;
+            a_y_bits_d2 <= a_y_bits_d1;
+            a_exponent_d1 <= a_exponent;
+            b_x_bits_d1 <= a_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d2 <= b_y_bits_d1;
+            b_exponent_d1 <= b_exponent;
+            a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
+            not_a_y_bits_is_zero_d1 <= not_a_y_bits_is_zero;
+            not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
+            a_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
+            not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
+            not_b_y_bits_is_zero_d1 <= not_b_y_bits_is_zero;
+            not_b_y_bits_is_zero_d2 <= not_b_y_bits_is_zero_d1;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy2_y[23];
+            m_exponent_plus_127_d1 <= m_exponent_plus_127;
+            my_bits_d1 <= my_bits_d1_bits;
+            largest_below_my_sum_d1 <= largest_below_my_sum;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_sum_minus_largest_d1 <= my_sum_minus_largest;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy3_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy3_y[23];
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
+            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
+            mx_bits_d2 <= mx_bits_d1_copy4;
+            mx_bits_d3 <= mx_bits_d2;
+            mx_bits_d4 <= mx_bits_d3;
+            mx_bits_d5 <= mx_bits_d4;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[17:0];
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
+        end
+        if (load_10) begin
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            minus_h_x_d1 <= minus_sqrt_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            placed_d1 <= placed;
+            placed_d2 <= placed_d1;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            ax_out_lesser_d1 <= ax_out_lesser[17:0];
+            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
+            vanishes_d1 <= vanishes;
+        end
+        if (load_14) begin
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
+            not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            mx_bits_d1 <= mx_bits_d1_bits;
+            largest_below_mx_sum_d1 <= largest_below_mx_sum;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
+            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
+            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
+            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
+            shift_chosen_bits_d1 <= shift_chosen[27:0];
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[17:0];
+            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
+        end
+        if (load_1) begin
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d2 <= unit_delta_joined_d1;
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            m_exponent_d1 <= m_exponent;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            odd_either_d1_copy3 <= odd_either_copy4;
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+        end
+        if (load_2) begin
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
+            center_x_minus_filter_radius_d3 <= center_x_minus_filter_radius_d2;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
+            filter_radius_plus_center_x_d3 <= filter_radius_plus_center_x_d2;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            visible_both_d1 <= visible_both;
+            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+            exponent_d1 <= exponent;
+        end
         if (load_6) begin
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
             not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
             not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
             not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
             not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_shift_either_bits_is_zero_d1_copy6 <= not_shift_either_bits_is_zero_copy6;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            odd_either_d1 <= odd_either;
+            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255_copy3;
+            delta_bits_is_255_d1 <= delta_bits_is_255;
         end
         if (queue_in_ready) begin
             recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z) : in_center_z;
-            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_5;
-            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_5;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_6;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_4 : mul_f24_ftz_unit_copy2_b_choice_7;
+            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_6;
+            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_6;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_5 : mul_f24_ftz_unit_copy2_b_choice_7;
             mul_f24_ftz_unit_copy3_a <= phase[3] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_6;
-            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_3 : mul_f24_ftz_unit_copy3_b_choice_4;
+            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_4 : mul_f24_ftz_unit_copy3_b_choice_5;
             add_f24_ftz_unit_a <= phase[3] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
             add_f24_ftz_unit_b <= phase[3] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_7;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_4;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_7;
-            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_3;
-            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_2 : add_f24_ftz_unit_copy3_b_choice_4;
-            sqrt_f24_ftz_unit_a <= phase[3] ? sqrt_f24_ftz_unit_a_choice_2 : add_f24_ftz_unit_y;
-            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : min_f24_ftz_unit_a_choice_3;
-            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_3;
-            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : max_f24_ftz_unit_a_choice_3;
-            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : max_f24_ftz_unit_b_choice) : max_f24_ftz_unit_b_choice_6;
-            to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_5;
+            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice_3 : phase[2] ? middle_depth_d2 : add_f24_ftz_unit_copy3_a_choice_4;
+            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_3 : phase[2] ? epsilon_d1 : add_f24_ftz_unit_copy3_b_choice_4;
+            sqrt_f24_ftz_unit_a <= phase[3] ? (phase[2] ? q_d2 : phase[1] ? q_d2 : sqrt_f24_ftz_unit_a_choice) : add_f24_ftz_unit_copy2_y;
             le_f24_ftz_unit_a <= phase[3] ? le_f24_ftz_unit_a_choice : 24'd0;
-            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
+            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : min_f24_ftz_unit_a_choice_2;
+            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_2;
+            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : phase[2] ? 24'd0 : max_f24_ftz_unit_a_choice;
+            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : max_f24_ftz_unit_b_choice) : max_f24_ftz_unit_b_choice_5;
+            to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
             to_fixed_f24_ftz_s29q15_unit_a <= phase[3] ? to_fixed_f24_ftz_s29q15_unit_a_choice_2 : add_f24_ftz_unit_y;
             to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_2 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
             to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
@@ -5578,15 +5932,9 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {2'd0, add_f24_ftz_unit_y[22:15], center_x_out};
+            delay_5_from_0[delay_5_from_0_pointer] <= {my[14:0], my[23], not_zero_is_mx_bits_copy2, center_x_out, edge_on_or_visible_unequal};
         end
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {add_f24_ftz_unit_y[14:0], add_f24_ftz_unit_y[23], not_zero_is_my_bits};
-        end
-        if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= in_end;
@@ -5599,65 +5947,46 @@ module splat_setup (
         if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= odd_or_edge_on_or_not_placed;
-        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
+        if (load_1) delay_5_from_1[delay_5_from_1_pointer] <= not_zero_is_my_bits_copy2;
+        if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) begin
-            delay_6_from_4[delay_6_from_4_pointer] <= {
-                b_y_d1[14:0], b_y_d1[23], a_y_d1[14:0], a_y_d1[23], b_x_d1[14:0], b_x_d1[23], a_x_d1[14:0],
-                a_x_d1[23]
+        if (load_2) delay_5_from_2[delay_5_from_2_pointer] <= odd_or_edge_on_or_not_placed;
+        if (load_2) delay_5_from_2_out <= delay_5_from_2[delay_5_from_2_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) begin
+            delay_5_from_5[delay_5_from_5_pointer] <= {
+                delta[14:0], delta[23], exponent_chosen_copy8[14:0], b_y_sign_d2, exponent_chosen_copy4[14:0],
+                a_y_sign_d2, exponent_chosen_copy6[14:0], b_x_sign_d2, exponent_chosen_copy2[14:0], a_x_sign_d2
             };
         end
-        if (load_4) delay_6_from_4_out <= delay_6_from_4[delay_6_from_4_pointer];
+        if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_14) begin
-            delay_5_from_14[delay_5_from_14_pointer] <= {a_x_bits_d1, 2'd0, add_f24_ftz_unit_y[22:15], delta_sign_d1};
+        if (load_6) begin
+            delay_5_from_6[delay_5_from_6_pointer] <= {not_zero_is_delta_bits, by_out_inverted, ay_out_inverted, bx_out_inverted, ax_out_inverted};
         end
-        if (load_14) delay_5_from_14_out <= delay_5_from_14[delay_5_from_14_pointer];
+        if (load_6) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_14) begin
-            delay_6_from_14[delay_6_from_14_pointer] <= {add_f24_ftz_unit_y[14:0], not_zero_is_delta_bits};
-        end
-        if (load_14) delay_6_from_14_out <= delay_6_from_14[delay_6_from_14_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_14) delay_7_from_14[delay_7_from_14_pointer] <= not_zero_is_a_x_bits;
-        if (load_14) delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_15) begin
-            delay_5_from_15[delay_5_from_15_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], b_y_bits_d1, edge_on_or_visible_unequal};
-        end
+        if (load_15) delay_5_from_15[delay_5_from_15_pointer] <= {mx[14:0], mx[23]};
         if (load_15) delay_5_from_15_out <= delay_5_from_15[delay_5_from_15_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_15) begin
-            delay_6_from_15[delay_6_from_15_pointer] <= {
-                add_f24_ftz_unit_copy2_y[14:0], add_f24_ftz_unit_copy2_y[23], not_zero_is_mx_bits, 2'd0,
-                mul_f24_ftz_unit_copy2_y[22:15], 2'd0, mul_f24_ftz_unit_y[22:15]
-            };
-        end
-        if (load_15) delay_6_from_15_out <= delay_6_from_15[delay_6_from_15_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_15) begin
-            delay_7_from_15[delay_7_from_15_pointer] <= {not_zero_is_b_y_bits, not_zero_is_a_y_bits, not_zero_is_b_x_bits};
-        end
-        if (load_15) delay_7_from_15_out <= delay_7_from_15[delay_7_from_15_pointer];
     end
 
     wire _unused = &{
         1'b0, ax_out_chosen[9:8], ax_out_lesser[19:18], ax_out_sum[0], ay_out_chosen[9:8],
         ay_out_lesser[19:18], ay_out_sum[0], bx_out_chosen[9:8], bx_out_lesser[19:18], bx_out_sum[0],
         by_out_chosen[9:8], by_out_lesser[19:18], by_out_sum[0], center_x_out_lesser[29:28],
-        center_x_out_sum[0], center_y_out_lesser[29:28], center_y_out_sum[0], last_x_lesser_minus_1[21:7],
-        last_y_lesser_minus_1[21:7], mx_out_chosen[9:8], mx_out_lesser[19:18], mx_out_sum[0],
-        my_out_chosen[9:8], my_out_lesser[19:18], my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28],
-        shift_chosen_copy3[28], shift_chosen_copy4[28], shift_either_copy3[16:0], vanishes_chosen[9:8],
-        vanishes_lesser[23:22], vanishes_sum[0]
+        center_x_out_sum[0], center_y_out_lesser[29:28], center_y_out_sum[0], delta_chosen[10:8],
+        exponent_chosen[10:8], exponent_chosen_copy3[10:8], exponent_chosen_copy5[10:8],
+        exponent_chosen_copy7[10:8], last_x_lesser_minus_1[21:7], last_y_lesser_minus_1[21:7],
+        mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], mx_out_chosen[9:8],
+        mx_out_lesser[19:18], mx_out_sum[0], my_chosen[10:8], my_out_chosen[9:8], my_out_lesser[19:18],
+        my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28], shift_chosen_copy3[28],
+        shift_chosen_copy4[28], shift_either_copy3[16:0], unit_delta_chosen[10:8],
+        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8],
+        vanishes_chosen[9:8], vanishes_lesser[23:22], vanishes_sum[0]
     };
 
 `ifdef RTL_ASSERT
@@ -5904,30 +6233,6 @@ module float_to_fixed_s3_f24ftz_w29_f15_signed (
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
 endmodule
 
-// Whether one floating-point number is less than another or equal.
-// stages = 2
-// format = f24-ftz
-module float_le_s2_f24ftz (
-    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
-    output reg  y
-);
-    reg unordered_s1, both_zero_s1, compared_s1;
-
-    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
-    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
-    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
-            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
-            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
-            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
-        end
-    end
-endmodule
-
 // Floating to fixed point.
 // stages = 3
 // format = f24-ftz
@@ -6016,6 +6321,30 @@ module float_min_s2_f24ftz (
             a_s1 <= {a[23:15], a_nan_s1_both};
             b_s1 <= {b[23:15], b_nan_s1_both};
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
+        end
+    end
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le_s2_f24ftz (
+    input  wire clk, input wire enable, input wire [23:0] a, input wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1, both_zero_s1, compared_s1;
+
+    wire [14:0] compared_s1_both = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] compared_s1_both_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] compared_s1_bits = {a[22:15], compared_s1_both};
+    wire [22:0] compared_s1_bits_2 = {b[22:15], compared_s1_both_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |compared_s1_both) | (&b[22:15] & |compared_s1_both_2);
+            both_zero_s1 <= (compared_s1_bits | compared_s1_bits_2) == 23'd0;
+            compared_s1 <= {~a[23], compared_s1_bits ^ {23{a[23]}}} <= {~b[23], compared_s1_bits_2 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
 endmodule

@@ -4,6 +4,7 @@ pub mod bus;
 pub mod datapath;
 pub mod float;
 pub mod number;
+pub mod points;
 pub mod process;
 pub mod reference;
 pub mod search;

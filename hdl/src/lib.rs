@@ -3,6 +3,7 @@
 pub mod bus;
 pub mod compiler;
 pub mod float;
+pub mod points;
 pub mod process;
 pub mod search;
 pub mod splat;

@@ -6,7 +6,7 @@ mod reference;
 
 use crate::wording::plain;
 use layout::Kind;
-use pointcore_contract::{search, splat};
+use pointcore_contract::{points, search, splat};
 use std::path::{Path, PathBuf};
 
 /// A file with a fault.
@@ -26,6 +26,8 @@ pub enum Configuration {
     Splat(splat::Config),
     /// Neighbor search.
     Search(search::Config),
+    /// Neighbor search with a program behind it.
+    Points(points::Config),
 }
 
 /// Reads a text file.
@@ -54,7 +56,31 @@ pub fn parse(path: &Path, text: &str) -> Result<Configuration, ConfigurationErro
             config.validate().map_err(|error| wrong(path, error.to_string()))?;
             Ok(Configuration::Search(config))
         }
+        Kind::Points => {
+            let text = with_program(path, text)?;
+            let config: points::Config = toml::from_str(&text).map_err(syntax)?;
+            config.validate().map_err(|error| wrong(path, error.to_string()))?;
+            Ok(Configuration::Points(config))
+        }
     }
+}
+
+/// The text of a configuration of the point processor, with the program's text in the place of its path, which is relative to the
+/// configuration's.
+fn with_program(path: &Path, text: &str) -> Result<String, ConfigurationError> {
+    let mut file: toml::Table = toml::from_str(text).map_err(|error| wrong(path, plain(&error)))?;
+    let program = file.get_mut("process").and_then(|table| table.get_mut("program"));
+    let Some(toml::Value::String(program)) = program.filter(|program| program.as_str().is_some_and(is_path)) else {
+        return Ok(text.to_owned());
+    };
+    let place = path.parent().unwrap_or(Path::new("")).join(&*program);
+    *program = read_text(&place)?;
+    Ok(file.to_string())
+}
+
+/// Whether the key `program` is a file's path.
+fn is_path(program: &str) -> bool {
+    !program.contains('\n') && Path::new(program).extension().is_some_and(|extension| extension == "pasm")
 }
 
 /// Reads a configuration of the search core.
@@ -67,6 +93,10 @@ pub fn parse_search(path: &Path, text: &str) -> Result<search::Config, Configura
         Configuration::Splat(_) => {
             Err(wrong(path, "is for the renderer: a neighbor search needs a file with the line `kind = \"search\"`"))
         }
+        Configuration::Points(_) => Err(wrong(
+            path,
+            "is for the point processor: a neighbor search alone needs a file with the line `kind = \"search\"`",
+        )),
     }
 }
 
@@ -80,6 +110,7 @@ impl Configuration {
         let text = match self {
             Self::Splat(config) => toml::to_string_pretty(config),
             Self::Search(config) => toml::to_string_pretty(config),
+            Self::Points(config) => toml::to_string_pretty(config),
         };
         text.expect("a configuration is a TOML table")
     }
@@ -107,6 +138,19 @@ pub fn knn() -> search::Config {
     let path = Path::new("configs/knn.toml");
     match parse(path, include_str!("../../configs/knn.toml")) {
         Ok(Configuration::Search(config)) => config,
+        other => unreachable!("{}: {other:?}", path.display()),
+    }
+}
+
+/// The point processor as it is measured on an ECP5.
+///
+/// # Panics
+/// Never: a test reads the file.
+#[must_use]
+pub fn points() -> points::Config {
+    let path = Path::new("configs/points.toml");
+    match parse(path, include_str!("../../configs/points.toml")) {
+        Ok(Configuration::Points(config)) => config,
         other => unreachable!("{}: {other:?}", path.display()),
     }
 }

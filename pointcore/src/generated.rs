@@ -1,9 +1,9 @@
-//! What generated hardware of either core goes through: faults of the generator, a build for speed, and
+//! What generated hardware of any core goes through: faults of the generator, a build for speed, and
 //! news of a run.
 
 use crate::configuration::Configuration;
 use pointcore_hdl::compiler::{CompileError, Options};
-use pointcore_hdl::{search, splat};
+use pointcore_hdl::{points, search, splat};
 use pointcore_tb::verilated::{BuildOptions, Builder, Library, Optimization, Trace, VerilatedError, VerilogSource};
 use rtl::{Design, ElaborationError, Module};
 use std::rc::Rc;
@@ -30,6 +30,7 @@ impl Configuration {
         Ok(match self {
             Self::Splat(config) => splat::top::core(config, &options)?.module.into(),
             Self::Search(config) => search::top::core(config, &options)?.module.into(),
+            Self::Points(config) => points::top::core(config, &options)?.module.into(),
         })
     }
 }

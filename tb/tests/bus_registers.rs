@@ -1,12 +1,12 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
 use pointcore_contract::bus::registers::{
-    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, RegisterMap, RunCounter, SearchRegisters, SplatRegisters,
+    CONTROL, ErrorCounter, ErrorInputs, ErrorSources, PointsRegisters, RegisterMap, RunCounter, SearchRegisters, SplatRegisters,
     UniformBits,
 };
 use pointcore_contract::bus::units::registers::Ports;
 use pointcore_contract::bus::{RegisterKind, Register};
-use pointcore_contract::{fields, search, splat};
+use pointcore_contract::{fields, points, search, splat};
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
 use pointcore_tb::lockstep::seeds;
@@ -168,6 +168,24 @@ fn address(map: &[Register], random: &mut fastrand::Rng) -> u32 {
     }
 }
 
+/// Whether a register holds something for the core.
+fn is_setting(register: &&Register) -> bool {
+    matches!(register.kind, RegisterKind::Setting { .. } | RegisterKind::Range { .. } | RegisterKind::Queries)
+}
+
+/// A value that makes sense for some register, or about where a range ends.
+fn value(map: &[Register], address: u32, random: &mut fastrand::Rng) -> u32 {
+    let ends = map.iter().find(|register| register.address == address).and_then(|register| match register.kind {
+        RegisterKind::Range { low, high } => Some([low.wrapping_sub(1), low, high, high.wrapping_add(1)]),
+        _ => None,
+    });
+    let sense = [random.u32(..16), random.u32(..) & !0xfff, random.u32(..)];
+    match ends {
+        Some(ends) if random.bool() => ends[random.usize(..4)],
+        _ => sense[random.usize(..3)],
+    }
+}
+
 fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [u32; 4], seed: u64) {
     let sources = ErrorSources { busy, burst, packet, memory };
     let map = &M::registers(config);
@@ -176,14 +194,14 @@ fn exchange<M: RegisterMap>(config: &M::Config, [busy, burst, packet, memory]: [
     let of_kind = |kind| map.iter().find(|register| register.kind == kind).map(|register| register.address);
     let cycles = of_kind(RegisterKind::Run(RunCounter::Cycles)).unwrap();
     let settings: Vec<_> =
-        map.iter().filter(|register| matches!(register.kind, RegisterKind::Setting { .. } | RegisterKind::Queries)).collect();
+        map.iter().filter(is_setting).collect();
     let (mut refused, mut runs) = (0, 0);
     for access in 0..ACCESSES {
         host.happens(&counted, &errors);
         let address = address(map, &mut host.random);
         if host.random.bool() {
-            let sense = [host.random.u32(..16), host.random.u32(..) & !0xfff, host.random.u32(..)];
-            let (data, strobes) = (sense[host.random.usize(..3)], if host.random.u8(..8) == 0 { 7 } else { 0xf });
+            let data = value(map, address, &mut host.random);
+            let strobes = if host.random.u8(..8) == 0 { 7 } else { 0xf };
             let occupied = host.random.u8(..8) == 0;
             host.bench.set("occupied", occupied.into());
             let was_busy = host.model.busy;
@@ -222,5 +240,6 @@ fn accesses_do_what_the_model_does() {
     for seed in seeds(SEEDS).unwrap() {
         exchange::<SplatRegisters>(&splat::Config::default(), [0, 1, 1, 2], seed);
         exchange::<SearchRegisters>(&b, [1, 2, 1, 2], seed);
+        exchange::<PointsRegisters>(&points::Config { search: b.clone(), ..points::Config::default() }, [0, 4, 1, 3], seed);
     }
 }

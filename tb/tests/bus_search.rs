@@ -3,14 +3,15 @@
 use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters};
 use pointcore_contract::bus::units::search_axi::Ports;
 use pointcore_contract::bus::units::{window_bits, window_index_bits};
-use pointcore_contract::bus::{Config as Widths, Layout, packets};
+use pointcore_contract::bus::Config as Widths;
 use pointcore_contract::search::Config;
-use pointcore_contract::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
+use pointcore_contract::search::records::{CachedQuery, CachedResult};
 use pointcore_hdl::bus::search;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
+use crate::bus::searched::{MEMORY_BYTES, put_points, put_tree, tree_words};
 use crate::search::tree::Tree;
 use crate::search::{query, word};
 
@@ -19,33 +20,6 @@ type SearchHost = Host<CachedQuery, CachedResult>;
 
 const TOP: Ports = Ports::ALL;
 const QUERIES: u32 = 40;
-const POINTS_BASE: u32 = 0x5000;
-const TREE_BASE: u32 = 0x1000;
-const MEMORY_BYTES: usize = 0x10000;
-
-/// The words of the tree: places, and what lies there.
-fn tree_words(config: &Config, tree: &Tree) -> Vec<(u64, u64)> {
-    let (node, leaf) = (Layout::record::<Node>(config), Layout::record::<Bucket>(config));
-    let word = |write: &Vec<u64>| {
-        let bytes = if write[0] == 0 { node.encode(&write[2..5], 8) } else { leaf.encode(&write[5..7], 8) };
-        let place = write[1] + (write[0] << config.tree_depth);
-        (place, u64::from_le_bytes(bytes.try_into().unwrap()))
-    };
-    tree.writes.iter().map(word).collect()
-}
-
-/// Puts words of the tree where the core finds them.
-fn put(host: &mut SearchHost, config: &Config, words: impl IntoIterator<Item = (u64, u64)>) {
-    for (place, word) in words {
-        if config.tree_cache == 0 {
-            assert!(host.write_tree(place, word));
-        } else {
-            let stride = packets::tree_stride(config, config.bus.memory_bits);
-            let place = TREE_BASE as usize + place as usize * stride as usize;
-            host.memory[place..place + 8].copy_from_slice(&word.to_le_bytes());
-        }
-    }
-}
 
 fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
     let top = search::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
@@ -62,18 +36,8 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> SearchHost {
         memory_order: MemoryOrder::Any,
     };
     let mut host = Host::new(top.module, config, config.bus, around, seed);
-    let points = Layout::record::<Points>(config);
-    let stride = points.stride(config.bus.memory_bits);
-    for (beat, lanes) in tree.points.chunks(config.lanes as usize).enumerate() {
-        let values: Vec<u64> = lanes.iter().flatten().map(|coordinate| word(config, *coordinate)).collect();
-        let place = POINTS_BASE as usize + beat * stride as usize;
-        host.memory[place..place + stride as usize].copy_from_slice(&points.encode(&values, stride));
-    }
-    host.write("points_base", POINTS_BASE);
-    put(&mut host, config, tree_words(config, tree));
-    if config.tree_cache > 0 {
-        host.write("tree_base", TREE_BASE);
-    }
+    put_points(&mut host, config, tree);
+    put_tree(&mut host, config, tree_words(config, tree));
     if config.neighbor_cache > 0 {
         host.write("cache_far_scale", word(config, 1.0) as u32);
         host.write("cache_margin_scale", word(config, 0.5) as u32);
@@ -243,7 +207,7 @@ fn leaves_without_beats_end_a_run_and_are_counted() {
         let tree = Tree::random(&config, &mut random);
         let mut host = host(&config, &tree, 1);
         let empty = (0..1 << config.tree_depth).map(|leaf| (leaf + (1 << config.tree_depth), 0));
-        put(&mut host, &config, empty);
+        put_tree(&mut host, &config, empty);
         host.write("queries", QUERIES);
         assert!(host.start(0));
         for number in 0..QUERIES {
@@ -252,7 +216,7 @@ fn leaves_without_beats_end_a_run_and_are_counted() {
         host.finish();
         let counted = host.read("burst_errors");
         assert!(counted > 0 && (counted >= QUERIES || config.point_cache > 0 || config.neighbor_cache > 0), "{counted}");
-        put(&mut host, &config, tree_words(&config, &tree));
+        put_tree(&mut host, &config, tree_words(&config, &tree));
         let refused = run(&mut host, &config, &tree, &mut random, RESET);
         host.expect_errors([0, 1, counted, refused, 0]);
     }

@@ -3,6 +3,7 @@
 mod bus;
 mod compiler;
 mod harness;
+mod points;
 mod process;
 mod search;
 mod splat;

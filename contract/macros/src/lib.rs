@@ -20,7 +20,8 @@ use syn::{ItemStruct, parse_macro_input};
 /// * `#[bits(…)]` its width; a `bool` has one bit;
 /// * `#[count(…)]` how many elements of an array there are, all by default;
 /// * `#[name(…)]` its name, where that is not the field's own followed by `i`;
-/// * `#[when(…)]` whether it is there at all.
+/// * `#[when(…)]` whether it is there at all;
+/// * `#[with(…)]` what a record depends on, a reference, where that is not `config`.
 #[proc_macro_attribute]
 pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let arguments = parse_macro_input!(arguments as annotation::RecordArguments);
@@ -30,9 +31,8 @@ pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
 
 /// The ports of a unit whose model does not meet them word by word: `#[ports(unit: Packets<'_, R>)]` names what they depend on.
 ///
-/// As [`macro@unit`], but the struct may have parameters, a field may be a bus, and what its record depends on may be told by
-/// `#[with(…)]`, a reference. Makes a module of the struct's name in small letters: `Ports`, of which `Ports::ALL` are the ports, and
-/// `interface`.
+/// As [`macro@unit`], but the struct may have parameters, and a field may be a bus. Makes a module of the struct's name in small
+/// letters: `Ports`, of which `Ports::ALL` are the ports, and `interface`.
 #[proc_macro_attribute]
 pub fn ports(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let arguments = parse_macro_input!(arguments as annotation::RecordArguments);
@@ -47,7 +47,8 @@ pub fn ports(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// * `#[port("…")]` the name on the ports, where that is not the field's own; empty for the record's fields alone;
 /// * `#[flag("…")]` what a pulse's `valid` is called;
-/// * `#[when(…)]` whether it is there at all; on the struct, whether the unit is.
+/// * `#[when(…)]` whether it is there at all; on the struct, whether the unit is;
+/// * `#[with(…)]` what its record depends on, a reference, where that is not `config`.
 ///
 /// Makes a module of the struct's name in small letters: `In` and `Out` for models, `PORTS` for hardware, `UNIT` for lists.
 #[proc_macro_attribute]

@@ -95,7 +95,8 @@ impl<'a> Member<'a> {
         let described = match &self.shape {
             Shape::Word(word) => self.push(word, &quote!(""))?,
             Shape::Record(record) => {
-                quote!(<#record<D> as ::pointcore_contract::Record>::describe(config, fields);)
+                let config = self.annotations.config();
+                quote!(<#record<D> as ::pointcore_contract::Record>::describe(#config, fields);)
             }
             Shape::Array(element, length) => {
                 let count = self.count(length);
@@ -127,7 +128,10 @@ impl<'a> Member<'a> {
         let name = self.name;
         let visited = match &self.shape {
             Shape::Word(word) => quote!(visitor.bits::<#word>(&mut self.#name);),
-            Shape::Record(_) => quote!(::pointcore_contract::Visit::visit(&mut self.#name, config, visitor);),
+            Shape::Record(_) => {
+                let config = self.annotations.config();
+                quote!(::pointcore_contract::Visit::visit(&mut self.#name, #config, visitor);)
+            }
             Shape::Array(element, length) => {
                 let count = self.count(length);
                 let word = element.word();

@@ -90,12 +90,12 @@ impl<'a> Port<'a> {
     }
 
     fn visit(&self, inputs: bool) -> Option<TokenStream> {
-        let field = self.field;
+        let (field, config) = (self.field, self.annotations.config());
         let visited = if self.kind.comes_in() == inputs {
             match (self.kind.has_valid(), word(self.record)) {
-                (true, _) => quote!(::pointcore_contract::visit_optional(&mut self.#field, config, visitor);),
+                (true, _) => quote!(::pointcore_contract::visit_optional(&mut self.#field, #config, visitor);),
                 (false, Some(word)) => quote!(visitor.bits::<#word>(&mut self.#field);),
-                (false, None) => quote!(::pointcore_contract::Visit::visit(&mut self.#field, config, visitor);),
+                (false, None) => quote!(::pointcore_contract::Visit::visit(&mut self.#field, #config, visitor);),
             }
         } else if self.kind.has_ready() {
             let ready = self.ready();

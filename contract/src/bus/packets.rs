@@ -1,6 +1,8 @@
 //! What travels and lies in memory: the records that are packets, and those that are memory.
 
 use super::layout::Layout;
+use crate::points;
+use crate::process::{self, records::Neighbor};
 use crate::search;
 use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use crate::splat;
@@ -58,6 +60,10 @@ impl Packet for CachedQuery {
 
 impl Packet for CachedResult {}
 
+impl Packet for process::queries::Query {}
+
+impl Packet for process::queries::Outcome {}
+
 /// A record with a name and a purpose, for documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedRecord {
@@ -110,6 +116,39 @@ pub fn splat(config: &splat::Config) -> Vec<NamedRecord> {
 /// Packets and memory records of the search core.
 #[must_use]
 pub fn search(config: &search::Config) -> Vec<NamedRecord> {
+    let stream_bits = config.bus.stream_bits;
+    let packets = vec![
+        packet("query", "A point whose neighbors are sought.", fields::<CachedQuery>(config), stream_bits),
+        packet(
+            "result",
+            "A neighbor, nearest first; `last` closes its query.",
+            fields::<CachedResult>(config),
+            stream_bits,
+        ),
+    ];
+    packets.into_iter().chain(search_memory(config)).collect()
+}
+
+/// Packets and memory records of the point processor.
+#[must_use]
+pub fn points(config: &points::Config) -> Vec<NamedRecord> {
+    let points::Config { search, process } = config;
+    let stream_bits = search.bus.stream_bits;
+    let own = vec![
+        packet("query", "What the program is asked.", fields::<process::queries::Query>(process), stream_bits),
+        packet("result", "What leaves with a query.", fields::<process::queries::Outcome>(process), stream_bits),
+        memory(
+            "point",
+            "A point as the program reads it, in the places that the search's points have; behind one another from `lines_base` on.",
+            fields::<Neighbor>(process),
+            search.bus.memory_bits,
+        ),
+    ];
+    own.into_iter().chain(search_memory(search)).collect()
+}
+
+/// Memory records of a search.
+fn search_memory(config: &search::Config) -> Vec<NamedRecord> {
     let bus = &config.bus;
     let tree_bits = if config.tree_cache == 0 { super::config::TREE_WORD_BITS } else { bus.memory_bits };
     // Both kinds of record of a tree lie one beside the other.
@@ -118,13 +157,6 @@ pub fn search(config: &search::Config) -> Vec<NamedRecord> {
         ..memory(name, doc, fields, tree_bits)
     };
     vec![
-        packet("query", "A point whose neighbors are sought.", fields::<CachedQuery>(config), bus.stream_bits),
-        packet(
-            "result",
-            "A neighbor, nearest first; `last` closes its query.",
-            fields::<CachedResult>(config),
-            bus.stream_bits,
-        ),
         memory(
             "points",
             "As many points as the core has lanes; a lane without a point holds NaN.",

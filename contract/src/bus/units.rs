@@ -7,7 +7,7 @@ use super::packets::Packet;
 use super::registers::{ErrorInputs, ErrorSources, RegisterMap, RegisterWrite, UniformBits};
 use crate::record::{Domain, Visitor};
 use crate::splat::config::index_bits;
-use crate::{Field, Record, Visit, ports, record, search, splat};
+use crate::{Field, Record, Visit, points, ports, record, search, splat};
 
 /// What a unit for packets is made for.
 #[derive(Debug)]
@@ -310,6 +310,43 @@ pub struct SearchAxi {
     #[when(config.tree_cache > 0)]
     #[with(&config.bus.memory_bits)]
     tree: ReadMaster,
+}
+
+/// The point processor on AXI.
+#[ports(config: points::Config)]
+pub struct PointsAxi {
+    /// Registers.
+    #[port("s_axil")]
+    #[with(&())]
+    registers: RegisterBus,
+    /// Interrupt.
+    irq: Output<bool>,
+    /// Queries.
+    #[port("s_axis_query")]
+    #[with(&config.search.bus.stream_bits)]
+    queries: PacketBusIn,
+    /// Results.
+    #[port("m_axis_result")]
+    #[with(&config.search.bus.stream_bits)]
+    results: PacketBusOut,
+    /// Memory with the positions, as the search reads them.
+    #[port("m_axi")]
+    #[with(&config.search.bus.memory_bits)]
+    points: ReadMaster,
+    /// Window to the tree.
+    #[port("s_axi")]
+    #[when(config.search.tree_cache == 0)]
+    #[with(&window_bits(window_index_bits(&config.search)))]
+    window: Slave,
+    /// Memory with the tree.
+    #[port("m_axi_tree")]
+    #[when(config.search.tree_cache > 0)]
+    #[with(&config.search.bus.memory_bits)]
+    tree: ReadMaster,
+    /// Memory with the points, as the program reads them.
+    #[port("m_axi_line")]
+    #[with(&config.search.bus.memory_bits)]
+    lines: ReadMaster,
 }
 
 /// Bits of the index of a core's window: nodes in its lower half, leaves in its upper one.

@@ -82,7 +82,8 @@ impl Registers {
     /// A setting's value by its address.
     #[must_use]
     pub fn setting(&self, address: u32) -> u32 {
-        self.values.get(&address).copied().unwrap_or(0)
+        let reset = || self.register(address).map_or(0, |register| register.reset());
+        self.values.get(&address).copied().unwrap_or_else(reset)
     }
 
     /// `irq`.
@@ -116,6 +117,9 @@ impl Registers {
                 self.command(data);
             }
             RegisterKind::Setting { multiple } if !value.is_multiple_of(multiple) => {
+                return self.refuse(ErrorCounter::Access);
+            }
+            RegisterKind::Range { low, high } if !(low..=high).contains(&value) => {
                 return self.refuse(ErrorCounter::Access);
             }
             RegisterKind::Uniform => {

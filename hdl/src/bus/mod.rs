@@ -11,7 +11,7 @@ pub mod writer;
 
 mod parts;
 
-pub use cores::{search, splat};
+pub use cores::{points, search, splat};
 
 use crate::compiler::Manifest;
 use pointcore_contract::bus::config;
@@ -21,7 +21,7 @@ use std::rc::Rc;
 
 /// A core with its bus.
 pub struct Top {
-    /// The module `splat_axi` or `search_axi`.
+    /// The module `splat_axi`, `search_axi` or `points_axi`.
     pub module: Module,
     /// The core inside it.
     pub core: Rc<Module>,
@@ -70,7 +70,7 @@ mod tests {
     use pointcore_contract::bus::units::{self, Packets, Reads, Registered, Writes};
     use pointcore_contract::search::records::{CachedQuery, CachedResult};
     use pointcore_contract::splat::records::{Fragment, Pixel, Splat};
-    use pointcore_contract::{search, splat};
+    use pointcore_contract::{points, process, search, splat};
 
     fn splats() -> [splat::Config; 2] {
         let small = splat::Config { continuous: 1, ..splat::Config::default() };
@@ -156,6 +156,10 @@ mod tests {
                 let b = search::Config { tree_cache, neighbor_cache, lanes, ..base.clone() };
                 let top = super::cores::search::core(&b, &options).unwrap_or_else(|error| panic!("{error}"));
                 check(&top.module, units::search_axi::interface(&b).ports());
+                let process = process::Config { index_bits: b.index_bits, ..points::Config::default().process };
+                let c = points::Config { search: b, process };
+                let top = super::cores::points::core(&c, &options).unwrap_or_else(|error| panic!("{error}"));
+                check(&top.module, units::points_axi::interface(&c).ports());
             }
         }
     }

@@ -90,16 +90,17 @@ pub struct Device {
     library: Arc<Library>,
 }
 
-impl From<Configuration> for AnyConfig {
-    fn from(configuration: Configuration) -> Self {
+impl AnyConfig {
+    /// The configuration, if it is one of these cores'.
+    #[must_use]
+    pub fn of(configuration: Configuration) -> Option<Self> {
         match configuration {
-            Configuration::Splat(config) => Self::Splat(config),
-            Configuration::Search(config) => Self::Search(config),
+            Configuration::Splat(config) => Some(Self::Splat(config)),
+            Configuration::Search(config) => Some(Self::Search(config)),
+            Configuration::Points(_) => None,
         }
     }
-}
 
-impl AnyConfig {
     /// A random one.
     #[must_use]
     pub fn random(core: Core, random: &mut Rng) -> Self {

@@ -1,12 +1,14 @@
-//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `knn`.
+//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5`, `knn` and `points`.
 
-use pointcore::configuration::{Configuration, ecp5, knn};
+use pointcore::configuration::{Configuration, ecp5, knn, points};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
-use pointcore_contract::{Fixed, Format, Signedness, Unit, search as search_spec, splat as splat_spec};
+use pointcore_contract::{
+    Fixed, Format, Signedness, Unit, process as process_spec, search as search_spec, splat as splat_spec,
+};
 use pointcore_hdl::compiler::CompileError;
 use pointcore_hdl::float::{self, Operator};
-use pointcore_hdl::{search, splat};
+use pointcore_hdl::{process, search, splat};
 use rtl::Module;
 use std::rc::Rc;
 
@@ -78,6 +80,7 @@ pub const GROUPS: &[Group] = &[
     ("operators", operators),
     ("splat_units", splat_units),
     ("search_units", search_units),
+    ("process_units", process_units),
     ("bus_units", bus_units),
     ("heaps", heaps),
     ("cores", cores),
@@ -110,6 +113,7 @@ pub fn standard() -> Vec<MeasuredUnit> {
         .into_iter()
         .chain(splat_units())
         .chain(search_units())
+        .chain(process_units())
         .chain(bus_units())
         .chain(heaps())
         .chain(cores())
@@ -127,7 +131,13 @@ pub fn all() -> Vec<MeasuredUnit> {
 pub fn known() -> String {
     let formats = formats().map(name).collect::<Vec<_>>().join(", ");
     let operators = OPERATORS.map(|(name, ..)| name).join(", ");
-    let others = splat_units().into_iter().chain(search_units()).chain(bus_units()).chain(heaps()).chain(cores());
+    let others = splat_units()
+        .into_iter()
+        .chain(search_units())
+        .chain(process_units())
+        .chain(bus_units())
+        .chain(heaps())
+        .chain(cores());
     let others = others.map(|unit| unit.name).collect::<Vec<_>>().join(", ");
     let groups = GROUPS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
     format!(
@@ -194,6 +204,14 @@ fn search_units() -> Vec<MeasuredUnit> {
     measured.collect()
 }
 
+/// Every unit of the process core, at `points`, and the whole of it.
+fn process_units() -> Vec<MeasuredUnit> {
+    // Those of which there is nothing but other units.
+    let is_measured = |unit: &Unit<process_spec::Config>| unit.module != process_spec::stages::threads::UNIT.module;
+    let units = process::UNITS.into_iter().filter(|(unit, _)| is_measured(unit));
+    units.map(|(unit, describe)| MeasuredUnit::new(unit.module, move || describe(&points().process))).collect()
+}
+
 /// Every unit between a core and AXI, the packets and points of the search core, the pixels of the renderer.
 fn bus_units() -> Vec<MeasuredUnit> {
     use pointcore_contract::bus::registers::SearchRegisters;
@@ -220,6 +238,7 @@ fn cores() -> Vec<MeasuredUnit> {
     vec![
         MeasuredUnit::core("splat", Configuration::Splat(ecp5())),
         MeasuredUnit::core("search", Configuration::Search(knn())),
+        MeasuredUnit::core("points", Configuration::Points(points())),
     ]
 }
 

@@ -3,11 +3,12 @@
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::{packets, units};
+use pointcore_contract::process::records::Neighbor;
 use pointcore_contract::rendering::Sampling;
 use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::Pixel;
 use pointcore_contract::splat::{AttributeFormat, UniformFormat};
-use pointcore_contract::{Format, search, splat};
+use pointcore_contract::{Format, points, search, splat};
 
 /// A number with a name.
 pub(super) struct Constant {
@@ -69,6 +70,19 @@ pub(super) fn search(config: &search::Config) -> Vec<Constant> {
         count("NEIGHBORHOODS", config.neighbor_cache.into(), "what the neighbor cache holds; 0 where there is none"),
     ];
     constants.extend(float("GEOMETRY", config.geometry));
+    constants
+}
+
+/// Of the point processor.
+pub(super) fn points(config: &points::Config) -> Vec<Constant> {
+    let points::Config { search: found, process } = config;
+    let stride = Layout::record::<Neighbor>(process).stride(found.bus.memory_bits);
+    let mut constants = search(found);
+    constants.extend([
+        count("LINE_POINTS", process.line_points.into(), "points of a line, which are read together"),
+        count("POINT_STRIDE", stride.into(), "bytes from one point to the next at `lines_base`"),
+        count("THREADS", process.threads.into(), "queries under way at a time"),
+    ]);
     constants
 }
 

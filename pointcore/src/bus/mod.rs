@@ -7,9 +7,9 @@ mod markdown;
 use crate::generated::GenerateError;
 use constants::Constant;
 use pointcore_contract::bus::packets::{self, NamedRecord};
-use pointcore_contract::bus::registers::{RegisterMap, SearchRegisters, SplatRegisters};
+use pointcore_contract::bus::registers::{PointsRegisters, RegisterMap, SearchRegisters, SplatRegisters};
 use pointcore_contract::bus::{Config, Register};
-use pointcore_contract::{search, splat};
+use pointcore_contract::{points, search, splat};
 use pointcore_hdl::bus;
 use pointcore_hdl::compiler::Options;
 use rtl::{Design, elaborate, elaborate_beside};
@@ -19,14 +19,16 @@ use rtl::{Design, elaborate, elaborate_beside};
 enum Kind {
     Splat,
     Search,
+    Points,
 }
 
 impl Kind {
-    /// `splat`, `search`.
+    /// `splat`, `search`, `points`.
     const fn name(self) -> &'static str {
         match self {
             Self::Splat => "splat",
             Self::Search => "search",
+            Self::Points => "points",
         }
     }
 }
@@ -55,6 +57,14 @@ impl Interface {
         let (registers, packets) = (SearchRegisters::registers(config), packets::search(config));
         let constants = constants::search(config);
         Self { core: Kind::Search, config: config.bus, registers, packets, constants }
+    }
+
+    /// The point processor's.
+    #[must_use]
+    pub fn points(config: &points::Config) -> Self {
+        let (registers, packets) = (PointsRegisters::registers(config), packets::points(config));
+        let constants = constants::points(config);
+        Self { core: Kind::Points, config: config.search.bus, registers, packets, constants }
     }
 
     /// `registers.md`.
@@ -92,6 +102,14 @@ impl Bus {
     /// A fault of the generator.
     pub fn search(config: &search::Config) -> Result<Self, GenerateError> {
         Self::of(&bus::search::core(config, &Options::default())?)
+    }
+
+    /// Generates `points_axi`.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn points(config: &points::Config) -> Result<Self, GenerateError> {
+        Self::of(&bus::points::core(config, &Options::default())?)
     }
 
     fn of(top: &bus::Top) -> Result<Self, GenerateError> {

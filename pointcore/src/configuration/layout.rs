@@ -2,7 +2,7 @@
 
 use crate::wording::plain;
 use pointcore_contract::configuration::{Derived, Key, Table};
-use pointcore_contract::{search, splat};
+use pointcore_contract::{points, search, splat};
 use std::fmt::Display;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
@@ -15,15 +15,17 @@ const KIND: &str = "kind";
 pub(super) enum Kind {
     Splat,
     Search,
+    Points,
 }
 
 impl Kind {
-    const ALL: [Self; 2] = [Self::Splat, Self::Search];
+    const ALL: [Self; 3] = [Self::Splat, Self::Search, Self::Points];
 
     const fn name(self) -> &'static str {
         match self {
             Self::Splat => "splat",
             Self::Search => "search",
+            Self::Points => "points",
         }
     }
 
@@ -31,6 +33,7 @@ impl Kind {
         match self {
             Self::Splat => splat::Config::TABLES,
             Self::Search => search::Config::TABLES,
+            Self::Points => points::Config::TABLES,
         }
     }
 
@@ -39,6 +42,7 @@ impl Kind {
         let all = match self {
             Self::Splat => splat::Config::DERIVED,
             Self::Search => search::Config::DERIVED,
+            Self::Points => points::Config::DERIVED,
         };
         all.iter().find(|derived| derived.name == name)
     }
@@ -101,13 +105,13 @@ pub(super) fn check(text: &str) -> Result<Kind, String> {
         format!("line {}: {problem}", text[..span.start].matches('\n').count() + 1)
     };
     let Some(kind) = file.get_ref().get(KIND) else {
-        return Err("the line `kind = \"splat\"`, for the renderer, or `kind = \"search\"`, for the neighbor search, is missing: \
-                    add it at the top"
+        return Err("the line `kind = \"splat\"`, for the renderer, `kind = \"search\"`, for the neighbor search, or \
+                    `kind = \"points\"`, for a search with a program behind it, is missing: add it at the top"
             .to_owned());
     };
     let named = Kind::ALL.into_iter().find(|known| kind.get_ref().as_str() == Some(known.name()));
     let Some(named) = named else {
-        let problem = format!("`kind = {}`: expected \"splat\" or \"search\"", &text[kind.span()]);
+        let problem = format!("`kind = {}`: expected \"splat\", \"search\" or \"points\"", &text[kind.span()]);
         return Err(at(kind.span(), &problem));
     };
     match named.first_misplaced(file.get_ref()) {

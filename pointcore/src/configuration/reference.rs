@@ -2,7 +2,7 @@
 
 use super::{Configuration, parse, read_text};
 use pointcore_contract::configuration::{Derived, Key, SetBy, Table, Values};
-use pointcore_contract::{search, splat};
+use pointcore_contract::{points, search, splat};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ struct Core {
     defaults: Configuration,
 }
 
-fn cores() -> [Core; 2] {
+fn cores() -> [Core; 3] {
     let (splat, search) = (splat::Config::default(), search::Config::default());
     [
         Core {
@@ -36,6 +36,13 @@ fn cores() -> [Core; 2] {
             tables: search::Config::TABLES,
             derived: search::Config::DERIVED,
             defaults: Configuration::Search(search),
+        },
+        Core {
+            kind: "points",
+            input: "points",
+            tables: points::Config::TABLES,
+            derived: points::Config::DERIVED,
+            defaults: Configuration::Points(points::Config::default()),
         },
     ]
 }
@@ -139,7 +146,11 @@ fn values_that_the_page_names_are_taken() {
                 // A real number has a point.
                 let value =
                     if key.name == "kernel_gamma" { format!("{:?}", value.parse::<f64>().unwrap()) } else { value };
-                let text = format!("kind = \"{}\"\n{}.{} = {value}\n", core.kind, table.name, key.name);
+                let mut text = format!("kind = \"{}\"\n{}.{} = {value}\n", core.kind, table.name, key.name);
+                // The smallest index numbers few threads.
+                if core.kind == "points" && key.name == "index_bits" {
+                    text += "process.process_threads = 16\n";
+                }
                 parse(Path::new("file.toml"), &text).unwrap_or_else(|error| panic!("{text}{error}"));
                 taken += 1;
             }

@@ -13,10 +13,12 @@ use crate::area::count;
 use crate::bus::{Bus, Interface};
 use crate::configuration::Configuration;
 use crate::generated::GenerateError;
+use crate::points;
 use crate::recording::Recording;
 use crate::search;
 use crate::splat;
 use axi_test::AxiTest;
+use pointcore_contract::points::Config as PointsConfig;
 use pointcore_contract::search::Config as SearchConfig;
 use pointcore_contract::splat::Config as SplatConfig;
 use pointcore_hdl::compiler::Manifest;
@@ -115,6 +117,21 @@ impl Package {
         package.add_pins(&Configuration::Search(config.clone()))?;
         package.add_test(&core.design, &search::record(config, core)?);
         package.add_axi_test(&bus, axi_test::of_search(&bus.design, config)?);
+        Ok(package)
+    }
+
+    /// The point processor's files for the configuration of this name.
+    ///
+    /// # Errors
+    /// A fault of the generator, or of the model that makes the test.
+    pub fn points(name: &str, core: &points::PointsCore, config: &PointsConfig) -> Result<Self, PackageError> {
+        let text = Configuration::Points(config.clone()).text();
+        let mut package = Self::new(name, "point processor", &core.design, &core.manifests, text);
+        let bus = Bus::points(config)?;
+        package.add_bus(&bus, &Interface::points(config));
+        package.add_pins(&Configuration::Points(config.clone()))?;
+        package.add_test(&core.design, &points::record(config, core)?);
+        package.add_axi_test(&bus, axi_test::of_points(&bus.design, config)?);
         Ok(package)
     }
 

@@ -24,7 +24,7 @@ impl Crowding {
     #[must_use]
     pub const fn of(configuration: &Configuration) -> Self {
         match configuration {
-            Configuration::Splat(_) => Self::Crowded,
+            Configuration::Splat(_) | Configuration::Points(_) => Self::Crowded,
             Configuration::Search(_) => Self::Roomy,
         }
     }

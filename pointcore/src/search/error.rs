@@ -3,8 +3,8 @@
 use super::Rounding;
 use crate::generated::GenerateError;
 use crate::scene::SceneError;
-use pointcore_contract::Format;
 use pointcore_contract::search::config::ConfigError;
+use pointcore_contract::{Format, points};
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
 
@@ -64,6 +64,9 @@ pub enum SearchError {
     /// A configuration the hardware cannot hold.
     #[error(transparent)]
     Config(#[from] ConfigError),
+    /// A point processor the hardware cannot hold.
+    #[error(transparent)]
+    PointProcessor(#[from] points::ConfigError),
     /// A tree on a core for which it was not built.
     #[error("the tree was built for other hardware: build it with the configuration of the session")]
     OtherTree,

@@ -92,6 +92,8 @@ pub struct PointMemory<K> {
     bytes_per_cycle: f64,
     random: fastrand::Rng,
     requests: VecDeque<Request<K>>,
+    /// Whether a port's requests are answered in their order, whatever the settings say.
+    is_ordered: Vec<bool>,
     answers: Vec<VecDeque<Answer<K>>>,
     /// When the bus is free again, in cycles.
     bus_free: f64,
@@ -111,11 +113,19 @@ impl<K: Copy> PointMemory<K> {
             bytes_per_cycle: settings.bytes_per_cycle.unwrap_or(beat_bytes.into()),
             random: fastrand::Rng::with_seed(seed),
             requests: VecDeque::new(),
+            is_ordered: vec![false; ports],
             answers: (0..ports).map(|_| VecDeque::new()).collect(),
             bus_free: 0.0,
             requests_taken: 0,
             bytes: 0,
         }
+    }
+
+    /// Answers the requests of a port in their order.
+    #[must_use]
+    pub fn ordered(mut self, port: usize) -> Self {
+        self.is_ordered[port] = true;
+        self
     }
 
     /// Bytes that the bus can move in a cycle.
@@ -152,15 +162,21 @@ impl<K: Copy> PointMemory<K> {
             } else {
                 self.random.choice(ready.collect::<Vec<_>>())
             };
-            let Some(Request { port, key, extent, .. }) = chosen.and_then(|index| self.requests.remove(index)) else {
-                return;
-            };
+            let chosen = chosen.map(|index| self.in_order(index)).and_then(|index| self.requests.remove(index));
+            let Some(Request { port, key, extent, .. }) = chosen else { return };
             let bytes = self.transfer_bytes(extent);
             let begin = self.bus_free.max(now as f64);
             self.bus_free = begin + bytes as f64 / self.bytes_per_cycle;
             self.bytes += bytes;
             self.answers[port].push_back(Answer { key, extent, begin, sent: 0 });
         }
+    }
+
+    /// The request to be answered in the place of a chosen one: the oldest of its port, where that is ordered.
+    fn in_order(&self, chosen: usize) -> usize {
+        let port = self.requests[chosen].port;
+        let oldest = || self.requests.iter().position(|request| request.port == port);
+        if self.is_ordered[port] { oldest().unwrap_or(chosen) } else { chosen }
     }
 
     /// The beat on offer at a port in cycle `now`: the key of its request and its number in the answer.
@@ -254,6 +270,25 @@ mod tests {
             assert!(*key < place + WINDOW, "request {key} was answered in place {place}");
         }
         assert_eq!(run(settings, &[3; 40]).0, seen, "the same seed gives the same order");
+    }
+
+    #[test]
+    fn an_ordered_port_keeps_its_order() {
+        let settings = MemorySettings { latency_cycles: 3, reorder_window: 8, ..MemorySettings::default() };
+        let mut memory = PointMemory::new(settings, 2, BEAT, 1).ordered(1);
+        (0..40).for_each(|key| memory.request(key % 2, key, RequestSize { beats: 1, beat_bytes: BEAT }, 0));
+        let mut seen = [vec![], vec![]];
+        for cycle in 0..100 {
+            memory.advance(cycle);
+            for (port, seen) in seen.iter_mut().enumerate() {
+                if let Some((key, _)) = memory.offer(port, cycle) {
+                    seen.push(key);
+                    memory.take(port);
+                }
+            }
+        }
+        assert_eq!(seen.each_ref().map(Vec::len), [20, 20]);
+        assert!(!seen[0].is_sorted() && seen[1].is_sorted(), "{seen:?}");
     }
 
     #[test]

@@ -25,7 +25,7 @@ mod session;
 mod work;
 
 pub use check::{Checked, WrongAnswer, check};
-pub use counters::{Counts, SearchCounters};
+pub use counters::SearchCounters;
 pub use derive::config_for;
 pub use error::SearchError;
 pub use generate::SearchCore;

@@ -1,6 +1,7 @@
 //! What the tests of the bus units share: pins by name, however wide, and channels that stall and hold both sides to the protocol.
 
 pub mod host;
+pub mod searched;
 
 use std::collections::VecDeque;
 

@@ -26,7 +26,8 @@ impl Tree {
         Self::over(fine_coordinate, config, random)
     }
 
-    fn over(coordinate: fn(&mut fastrand::Rng) -> f32, config: &Config, random: &mut fastrand::Rng) -> Self {
+    /// The same over points with coordinates of a kind.
+    pub fn over(coordinate: fn(&mut fastrand::Rng) -> f32, config: &Config, random: &mut fastrand::Rng) -> Self {
         let most = (config.bucket << config.tree_depth) * 3 / 4;
         let count = random.u32(1..=most.min(100));
         let mut points: Vec<_> = (0..count).map(|_| [(); 3].map(|()| coordinate(random))).collect();

@@ -1,21 +1,28 @@
-//! The register maps of both cores.
+//! The register maps of the cores.
 
 use super::{
     CONTROL, CONTROL_BITS, COUNTERS, ERRORS, EVENTS, ID, INTERRUPT_ENABLE, RUN_COUNTERS, Register, RegisterKind,
     RunCounter, SETTINGS, STATUS, UNIFORMS,
 };
 use crate::bus::config::{BORDER_BYTES, REGISTER_BITS};
+use crate::process::Scalar;
+use crate::process::config::{ITERATION_BITS, WORDS_MAX};
 use crate::record::{Domain, Visitor, Word};
 use crate::splat::records::{Uniforms, uniform_formats};
-use crate::{Field, Format, Record, Visit, Words, fields, record, search, splat};
+use crate::{Field, Format, Record, Visit, Words, fields, points, record, search, splat};
 
 /// "PC", in the upper half of `id`.
 const SIGNATURE: u32 = 0x5043;
 /// Version of the layout of registers and packets.
 const VERSION: u32 = 1;
-/// The renderer's and the search core's byte in `id`.
+/// The cores' bytes in `id`.
 const SPLAT: u32 = 0x0a;
 const SEARCH: u32 = 0x0b;
+const POINTS: u32 = 0x0c;
+/// Where the settings of the point processor begin, behind those of the others: it has more events.
+const POINTS_OFFSET: u32 = 0x40;
+/// Where its program's settings begin.
+const PROGRAM_OFFSET: u32 = UNIFORMS - SETTINGS;
 
 /// A core as its registers meet it.
 pub trait RegisterMap {
@@ -69,6 +76,19 @@ impl MapEntry {
         Some(Self { offset, kind: RegisterKind::Setting { multiple: 1 }, format: Some(format) })
     }
 
+    /// A number from `low` to `high`.
+    #[must_use]
+    pub const fn within(offset: u32, low: u32, high: u32) -> Option<Self> {
+        Some(Self { offset, kind: RegisterKind::Range { low, high }, format: None })
+    }
+
+    /// A number of a format that is neither negative nor NaN.
+    #[must_use]
+    pub const fn positive(offset: u32, format: Format) -> Option<Self> {
+        let kind = RegisterKind::Range { low: 0, high: format.infinity() as u32 };
+        Some(Self { offset, kind, format: Some(format) })
+    }
+
     /// The number of queries of a run.
     #[must_use]
     pub const fn queries(offset: u32) -> Option<Self> {
@@ -80,6 +100,8 @@ impl MapEntry {
         let doc = match (self.kind, self.format) {
             (RegisterKind::Queries, _) => format!("{doc}, at least 1"),
             (RegisterKind::Setting { multiple: 2.. }, _) => format!("{doc}, a multiple of {BORDER_BYTES}"),
+            (RegisterKind::Range { .. }, Some(format)) => format!("{doc}, in {format}, from zero to infinity"),
+            (RegisterKind::Range { low, high }, None) => format!("{doc}, {low} to {high}"),
             (_, Some(format)) => format!("{doc}, in {format}"),
             _ => doc,
         };
@@ -121,7 +143,7 @@ pub fn common(identity: u32, events: &[Field]) -> Vec<Register> {
             ID,
             RegisterKind::Identity(identity),
             32,
-            "\"PC\", the core (0x0A or 0x0B), the layout's version (1)",
+            "\"PC\", the core (0x0A, 0x0B or 0x0C), the layout's version (1)",
         ),
         Register::new("control", CONTROL, RegisterKind::Control, CONTROL_BITS.len() as u32, "commands"),
         Register::new("status", STATUS, RegisterKind::Status, 3, "where the core is"),
@@ -219,6 +241,93 @@ impl RegisterMap for SearchRegisters {
         };
         let mut map = common(identity(SEARCH), &fields::<Self::Events>(config));
         map.extend(settings::<SearchSettings>(config, entries));
+        map
+    }
+}
+
+/// The registers of the point processor.
+#[derive(Clone, Copy, Debug)]
+pub struct PointsRegisters;
+
+/// What the registers hold for the point processor.
+#[record(config: points::Config)]
+pub struct PointsSettings {
+    /// Address of the positions, as the search reads them.
+    #[bits(REGISTER_BITS)]
+    pub points_base: u32,
+    /// Address of the tree.
+    #[when(config.search.tree_cache > 0)]
+    #[bits(REGISTER_BITS)]
+    pub tree_base: u32,
+    /// Address of the points, as the program reads them.
+    #[bits(REGISTER_BITS)]
+    pub lines_base: u32,
+    /// Queries of the next run.
+    #[bits(REGISTER_BITS)]
+    pub queries: u32,
+    /// Neighbors wanted.
+    #[bits(config.search.rank_bits())]
+    pub k: u8,
+    /// Squared radius within which neighbors count.
+    #[bits(config.search.geometry.width())]
+    pub radius2: u32,
+    /// Radius within which a neighborhood must be complete to be reused: 0 for k nearest neighbors, the radius of balls.
+    #[when(config.search.neighbor_cache > 0)]
+    #[bits(config.search.geometry.width())]
+    pub reach: u32,
+    /// Whether neighborhoods are balls (neighbor cache).
+    #[when(config.search.neighbor_cache > 0)]
+    pub cache_ball: bool,
+    /// Factor of the distance to the farthest neighbor.
+    #[when(config.search.neighbor_cache > 0)]
+    #[bits(config.search.geometry.width())]
+    pub cache_far_scale: u32,
+    /// Factor of what is left of it.
+    #[when(config.search.neighbor_cache > 0)]
+    #[bits(config.search.geometry.width())]
+    pub cache_margin_scale: u32,
+    /// Iterations of a query at most.
+    #[bits(ITERATION_BITS)]
+    pub iterations_max: u16,
+    /// A constant of the program.
+    #[count(config.process.program.settings.len())]
+    #[name(format!("setting_{}", config.process.program.settings.words()[i].name))]
+    #[bits(config.process.word_bits(config.process.program.settings.words()[i].ty))]
+    pub program: [u32; WORDS_MAX],
+}
+
+impl RegisterMap for PointsRegisters {
+    type Config = points::Config;
+    type Settings = PointsSettings;
+    type Events = points::units::Events;
+
+    fn registers(config: &points::Config) -> Vec<Register> {
+        let geometry = config.search.geometry;
+        let at = |place: u32| POINTS_OFFSET + 4 * place;
+        let types: Vec<_> = config.process.program.settings.words().into_iter().map(|word| word.ty).collect();
+        let constant = |place: usize| {
+            let offset = PROGRAM_OFFSET + 4 * place as u32;
+            match types.get(place) {
+                Some(Scalar::Float) => MapEntry::number(offset, geometry),
+                _ => MapEntry::value(offset),
+            }
+        };
+        let entries = PointsSettings {
+            points_base: MapEntry::base(at(0)),
+            tree_base: MapEntry::base(at(1)),
+            lines_base: MapEntry::base(at(2)),
+            queries: MapEntry::queries(at(3)),
+            k: MapEntry::within(at(4), 1, config.search.neighbors),
+            radius2: MapEntry::positive(at(5), geometry),
+            reach: MapEntry::positive(at(6), geometry),
+            cache_ball: MapEntry::value(at(7)),
+            cache_far_scale: MapEntry::number(at(8), geometry),
+            cache_margin_scale: MapEntry::number(at(9), geometry),
+            iterations_max: MapEntry::within(at(10), 1, u16::MAX as u32),
+            program: std::array::from_fn(constant),
+        };
+        let mut map = common(identity(POINTS), &fields::<Self::Events>(config));
+        map.extend(settings::<PointsSettings>(config, entries));
         map
     }
 }

@@ -3,7 +3,8 @@
 mod maps;
 
 pub use maps::{
-    MapEntries, MapEntry, RegisterMap, SearchRegisters, SearchSettings, SplatRegisters, SplatSettings, common, settings,
+    MapEntries, MapEntry, PointsRegisters, PointsSettings, RegisterMap, SearchRegisters, SearchSettings,
+    SplatRegisters, SplatSettings, common, settings,
 };
 
 use crate::record;
@@ -177,6 +178,13 @@ pub enum RegisterKind {
         /// What every value is a multiple of; a power of two.
         multiple: u32,
     },
+    /// A number that the hardware holds, after reset the smallest one; others than those of the range are refused.
+    Range {
+        /// The smallest value.
+        low: u32,
+        /// The largest value.
+        high: u32,
+    },
     /// The number of queries of a run, a setting without which no run starts.
     Queries,
     /// A register inside the core.
@@ -211,7 +219,10 @@ impl Register {
                 Access::Read
             }
             RegisterKind::Control | RegisterKind::Uniform => Access::Write,
-            RegisterKind::InterruptEnable | RegisterKind::Setting { .. } | RegisterKind::Queries => Access::ReadWrite,
+            RegisterKind::InterruptEnable
+            | RegisterKind::Setting { .. }
+            | RegisterKind::Range { .. }
+            | RegisterKind::Queries => Access::ReadWrite,
         }
     }
 
@@ -229,6 +240,7 @@ impl Register {
     pub const fn reset(&self) -> u32 {
         match self.kind {
             RegisterKind::Identity(value) => value,
+            RegisterKind::Range { low, .. } => low,
             _ => 0,
         }
     }
@@ -277,7 +289,7 @@ pub struct RegisterWrite {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{search, splat};
+    use crate::{points, search, splat};
     use std::collections::HashSet;
 
     #[test]
@@ -287,13 +299,17 @@ mod tests {
             SplatRegisters::registers(&splat::Config::default()),
             SearchRegisters::registers(&search::Config::default()),
             SearchRegisters::registers(&b),
+            PointsRegisters::registers(&points::Config::default()),
+            PointsRegisters::registers(&points::Config { search: b.clone(), ..points::Config::default() }),
         ] {
             assert!(map.is_sorted_by(|a, b| a.address < b.address), "{map:?}");
             assert!(map.iter().all(|register| register.address % 4 == 0 && register.address < 0x1000));
             let names: HashSet<_> = map.iter().map(|register| &register.name).collect();
             assert_eq!(names.len(), map.len());
+            let is_held = |register: &&Register| register.access() == Access::ReadWrite && register.address >= EVENTS;
             let last = map.iter().rfind(|register| matches!(register.kind, RegisterKind::Run(_))).unwrap();
-            assert!(last.address < SETTINGS, "counters run into the settings");
+            let first = map.iter().find(is_held).unwrap();
+            assert!(last.address < first.address && first.address >= SETTINGS, "counters run into the settings");
             let address =
                 |name: &str| map.iter().find(|register| register.name == name).map(|register| register.address);
             assert_eq!([address("memory_errors"), address("cycles")], [Some(0x20), Some(0x24)]);

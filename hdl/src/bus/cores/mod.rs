@@ -1,6 +1,8 @@
 //! The cores behind their buses, and what only they need.
 
 pub mod buffer;
+mod memory;
+pub mod points;
 pub mod search;
 pub mod splat;
 mod wiring;

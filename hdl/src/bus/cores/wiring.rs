@@ -4,11 +4,12 @@ use pointcore_contract::Record;
 use pointcore_contract::bus::packets::Packet;
 use pointcore_contract::bus::registers::RegisterMap;
 use pointcore_contract::bus::units::{abort, packet_in, packet_out, registers};
-use pointcore_contract::unit::{In, Output};
+use pointcore_contract::search::{self, records::CacheSetup};
+use pointcore_contract::unit::{In, Output, PulseIn};
 
 use crate::bus::{self, ADDRESS_BITS};
-use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, WordPort};
-use crate::units::wires::Wired;
+use crate::units::ports::{InputPorts, OutputPorts, Pulse, PulseInPorts, StreamInPorts, WordPort};
+use crate::units::wires::{Wired, Wires};
 use rtl::{Expr, Instance, Module, Wire, cat, lit};
 
 /// Leads a record into a unit that is not as the stream has it; it moves only while `gate` is set.
@@ -75,4 +76,37 @@ pub(super) fn report<M: RegisterMap, I: Packet, O: Record>(
 /// An index times a stride, from a base.
 pub(super) fn place(base: Expr, index: Expr, stride_bits: u32) -> Expr {
     base + cat([index, lit(stride_bits, 0)]).resize(ADDRESS_BITS)
+}
+
+/// Whether all queries of a run are answered: counts queries in, and those answered out. Tells the unit that takes packets which is
+/// the last.
+pub(super) fn run<Q: Packet>(m: &mut Module, wanted: Expr, queries: Instance, start: Expr, answered: Expr) -> Expr {
+    let ports = packet_in::Ports::<Q>::ALL;
+    let width = wanted.width();
+    let countdown = |m: &mut Module, name: &str, goes: Expr| {
+        let left = m.reg_reset(name, width, 0);
+        m.next(left, start.mux(wanted, left - goes.zext(width)));
+        left
+    };
+    // The pulse comes a cycle after its packet, in which the next one may already end.
+    let taken = ports.taken.word_of(m, queries);
+    let queries_left = countdown(m, "queries_left", taken);
+    let few = queries_left.bits(width - 1, 2).is_zero();
+    let last = taken.mux(queries_left.trunc(2).eq_lit(2), queries_left.trunc(2).eq_lit(1));
+    ports.last.feed_word(m, queries, few & last);
+    let answers_left = countdown(m, "answers_left", answered);
+    !answers_left.any() & !start
+}
+
+/// Hands the neighbor cache its constants, after the cycle in which a start may reset the core.
+pub(super) fn set_up(
+    m: &mut Module,
+    config: &search::Config,
+    (core, port): (Instance, PulseIn<CacheSetup>),
+    start: Expr,
+    record: CacheSetup<Wires>,
+) {
+    let valid = m.reg_reset("sets_up", 1, 0);
+    m.next(valid, start);
+    port.feed(m, config, core, Pulse { valid: valid.expr(), record });
 }

@@ -22,7 +22,7 @@ const BYTE_BITS: u32 = REGISTER_BYTES.ilog2();
 const BYTE_ADDRESS_BITS: u32 = REGISTER_ADDRESS_BITS;
 /// Bits of a register's number.
 const WORD_BITS: u32 = BYTE_ADDRESS_BITS - BYTE_BITS;
-/// Bits of a counter's number among the registers: counters lie in the first 128 bytes.
+/// Bits of a counter's number among the registers at least: most maps have their counters in the first 128 bytes.
 const COUNTER_WORD_BITS: u32 = 5;
 
 /// A register that holds what is written.
@@ -34,7 +34,7 @@ struct Stored<'a> {
 impl<'a> Stored<'a> {
     fn new(m: &mut Module, register: &'a Register) -> Self {
         let kept = register.width - zero_bits(register);
-        Self { register, bits: m.reg_reset(&format!("{}_bits", register.name), kept, 0) }
+        Self { register, bits: m.reg_reset(&format!("{}_bits", register.name), kept, register.reset().into()) }
     }
 
     /// The register's value, with the bits that are always zero.
@@ -188,6 +188,15 @@ impl Write {
         self.word.eq_lit(word_of(register))
     }
 
+    /// Whether the data are a register's value from `low` to `high`.
+    fn lies_within(&self, register: &Register, low: u32, high: u32) -> Expr {
+        let value = self.data.trunc(register.width);
+        let is_least = if low == 0 { bit(true) } else { value.ge_lit(low.into()) };
+        let largest = u32::MAX >> (REGISTER_BITS - register.width);
+        let is_most = if high == largest { bit(true) } else { !value.ge_lit(u128::from(high) + 1) };
+        is_least & is_most
+    }
+
     /// Whether the access is to a uniform, if it is to a whole register; uniforms lie side by side.
     fn chooses_uniform(&self, map: &[Register]) -> Expr {
         let mut words = map.iter().filter(|register| register.kind == RegisterKind::Uniform).map(word_of);
@@ -216,6 +225,7 @@ impl Write {
         let blocked = m.wire("blocked", (idle_only & busy) | (starts & occupied));
         let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
             (RegisterKind::Queries, _) => starts & bits.is_zero(),
+            (RegisterKind::Range { low, high }, _) => self.chooses(register) & !self.lies_within(register, low, high),
             (_, 0) => bit(false),
             (_, zeros) => self.chooses(register) & self.data.trunc(zeros).any(),
         });
@@ -253,12 +263,14 @@ impl Read {
         let counters: Vec<&Register> = map.iter().filter(|register| is_counter(register)).collect();
         let index_bits = address_width(counters.len() as u32);
         // Of every number a counter may have: whether it is one's, and which.
-        let mut table = vec![0; 1 << COUNTER_WORD_BITS];
+        let last = counters.iter().map(|register| register.address >> BYTE_BITS).max().unwrap_or(0);
+        let counter_bits = address_width(last + 1).max(COUNTER_WORD_BITS);
+        let mut table = vec![0; 1 << counter_bits];
         for (index, register) in counters.into_iter().enumerate() {
             table[word_of(register) as usize] = 1 << index_bits | index as u128;
         }
-        let found = m.lookup("found", &table, index_bits + 1, word.trunc(COUNTER_WORD_BITS));
-        let is_low = word.bits(WORD_BITS - 1, COUNTER_WORD_BITS).is_zero();
+        let found = m.lookup("found", &table, index_bits + 1, word.trunc(counter_bits));
+        let is_low = word.bits(WORD_BITS - 1, counter_bits).is_zero();
         let is_counted = m.wire("reads_counter", found.msb() & is_low);
         let others = map.iter().filter(|register| register.access() != Access::Write && !is_counter(register));
         let known = others.map(|register| word.eq_lit(word_of(register))).chain([is_counted]);

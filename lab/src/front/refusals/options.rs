@@ -34,7 +34,7 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --model golden --normals --set light.diffuse=0", "--normals", "`light.diffuse`"),
     // Configurations.
     ("run good.toml --config gone-config.toml", "gone-config.toml", "cannot be read"),
-    ("run good.toml --config search.toml", "search.toml", "needs a configuration of the renderer"),
+    ("run good.toml --config search.toml", "search.toml", "rendering needs a file with the line `kind = \"splat\"`"),
     ("run good.toml --config good.toml", "good.toml", "`kind = \"splat\"`"),
     ("run good.toml --config unculled.toml", "good.toml on unculled.toml", "`culling` = \"off\""),
     ("knn --points good.xyz --config splat.toml", "splat.toml", "`kind = \"search\"`"),

@@ -30,6 +30,25 @@ pub struct Buffer {
     pub pages: u32,
 }
 
+/// A port by which the core reads.
+pub struct BenchMemory {
+    /// The port.
+    pub name: &'static str,
+    /// Which image is behind it.
+    image: u32,
+    /// Names of the channels whose pauses it has.
+    channels: [&'static str; 2],
+}
+
+impl BenchMemory {
+    /// The points.
+    pub const POINTS: Self = Self { name: "m_axi", image: 0, channels: ["READ_ADDRESS", "READ_DATA"] };
+    /// The tree.
+    pub const TREE: Self = Self { name: "m_axi_tree", image: 1, channels: ["TREE_ADDRESS", "TREE_DATA"] };
+    /// The points as the program reads them, in the image of the points.
+    pub const LINES: Self = Self { name: "m_axi_line", ..Self::POINTS };
+}
+
 /// What a bench hangs on.
 pub struct Bench<'a> {
     /// The core on AXI.
@@ -47,7 +66,7 @@ pub struct Bench<'a> {
     /// The core's events.
     pub events: Vec<Field>,
     /// Ports by which images are read.
-    pub memories: Vec<&'static str>,
+    pub memories: Vec<BenchMemory>,
     /// The host writes the tree through a window.
     pub has_window: bool,
     /// The buffer.
@@ -105,7 +124,7 @@ impl Bench<'_> {
     /// What the parts know of each other.
     fn joints(&self) -> String {
         let mut moves = vec!["b_moves", "r_moves", "send_take", "receive_moves", "waits_by_script"];
-        let mut memories: Vec<String> = self.memories.iter().map(|name| (*name).to_owned()).collect();
+        let mut memories: Vec<String> = self.memories.iter().map(|memory| memory.name.to_owned()).collect();
         let mut text = String::new();
         let mut errors = String::new();
         if self.has_window {
@@ -176,10 +195,8 @@ impl Bench<'_> {
         if !self.memories.is_empty() {
             text += IMAGES;
         }
-        for ((number, name), channels) in
-            self.memories.iter().enumerate().zip([["READ_ADDRESS", "READ_DATA"], ["TREE_ADDRESS", "TREE_DATA"]])
-        {
-            let part = READ_MEMORY.replace("NAME", name).replace("NUMBER", &number.to_string());
+        for BenchMemory { name, image, channels } in &self.memories {
+            let part = READ_MEMORY.replace("NAME", name).replace("NUMBER", &image.to_string());
             text += &part
                 .replace("share[ADDRESS]", &format!("share[{}]", channels[0]))
                 .replace("share[DATA]", &format!("share[{}]", channels[1]));

@@ -1,9 +1,10 @@
-//! A self-checking test of the core on AXI: a bench with models of buses plays a script, and compares every answer with what the
+//! A self-checking test of a core on AXI: a bench with models of buses plays a script, and compares every answer with what the
 //! contract and the golden model say.
 
 mod bench;
 mod control;
 mod operations;
+mod points_script;
 mod registers;
 mod script;
 mod search_script;
@@ -11,11 +12,12 @@ mod splat_script;
 
 use crate::search::SearchError;
 use crate::splat::SplatCore;
-use bench::{Bench, Buffer};
+use bench::{Bench, BenchMemory, Buffer};
 use pointcore_contract::bus::Layout;
+use pointcore_contract::process::queries::Outcome;
 use pointcore_contract::search::records::CachedResult;
 use pointcore_contract::splat::records::{Fragment, Pixel};
-use pointcore_contract::{fields, search, splat};
+use pointcore_contract::{fields, points, search, splat};
 use pointcore_tb::lockstep::LockstepError;
 use rtl::Design;
 
@@ -44,8 +46,37 @@ pub fn of_search(top: &Design, config: &search::Config) -> Result<AxiTest, Searc
         number_bits: config.index_bits,
         end_mask: 0,
         events: fields::<search::units::Events>(config),
-        memories: if config.tree_cache > 0 { vec!["m_axi", "m_axi_tree"] } else { vec!["m_axi"] },
+        memories: if config.tree_cache > 0 {
+            vec![BenchMemory::POINTS, BenchMemory::TREE]
+        } else {
+            vec![BenchMemory::POINTS]
+        },
         has_window: config.tree_cache == 0,
+        buffer: None,
+    };
+    Ok(AxiTest { text: bench.text(), vectors })
+}
+
+/// The test of the point processor.
+///
+/// # Errors
+/// The golden model is stuck.
+pub fn of_points(top: &Design, config: &points::Config) -> Result<AxiTest, SearchError> {
+    let (words, vectors) = points_script::script(config)?.finish();
+    let has_tree = config.search.tree_cache > 0;
+    let bench = Bench {
+        top,
+        bus: config.search.bus,
+        words,
+        packet_bytes: Layout::record::<Outcome>(&config.process).packet_bytes(config.search.bus.stream_bits),
+        number_bits: config.process.index_bits,
+        end_mask: 0,
+        events: fields::<points::units::Events>(config),
+        memories: [BenchMemory::POINTS, BenchMemory::LINES]
+            .into_iter()
+            .chain(has_tree.then_some(BenchMemory::TREE))
+            .collect(),
+        has_window: !has_tree,
         buffer: None,
     };
     Ok(AxiTest { text: bench.text(), vectors })

@@ -32,7 +32,26 @@ fn kept(register: &Register) -> u32 {
 fn sensible(register: &Register, value: u32) -> u32 {
     match register.kind {
         RegisterKind::Setting { multiple } => value & !(multiple - 1),
+        RegisterKind::Range { low, high } => {
+            let bits = value & kept(register);
+            value ^ bits ^ (low + if high - low == u32::MAX { bits } else { bits % (high - low + 1) })
+        }
         _ => value,
+    }
+}
+
+/// What else a register holds than what makes sense: the bits that are not those of a multiple, and the ends of a range.
+fn senseless(register: &Register) -> Vec<u32> {
+    match register.kind {
+        RegisterKind::Range { low, high } => {
+            let all = kept(register);
+            let beyond = [low.checked_sub(1), high.checked_add(1), Some(all)];
+            beyond.into_iter().flatten().filter(|value| *value <= all && !(low..=high).contains(value)).collect()
+        }
+        _ => {
+            let bits = sensible(register, u32::MAX) ^ u32::MAX;
+            (0..REGISTER_BITS).map(|bit| 1 << bit).filter(|value| bits & value != 0).collect()
+        }
     }
 }
 
@@ -77,13 +96,12 @@ pub fn check_accesses(script: &mut Script, map: &[Register]) {
     for register in held(map) {
         for pattern in PATTERNS {
             script.write(register.address, sensible(register, pattern));
-            script.read(register.address, pattern & kept(register));
+            script.read(register.address, sensible(register, pattern) & kept(register));
         }
-        let senseless = sensible(register, u32::MAX) ^ u32::MAX;
-        for bit in (0..REGISTER_BITS).filter(|bit| senseless >> bit & 1 != 0) {
-            script.refuse(register.address, 1 << bit, Refusal::Access);
+        for value in senseless(register) {
+            script.refuse(register.address, value, Refusal::Access);
         }
-        script.read(register.address, 0);
+        script.read(register.address, sensible(register, 0));
     }
     script.errors(0);
     keep_apart(script, map);
@@ -109,7 +127,7 @@ fn refuse_unknown(script: &mut Script, map: &[Register]) {
 
 /// Writes of one register do not touch the others, nor reads under way at the same time.
 fn keep_apart(script: &mut Script, map: &[Register]) {
-    let mut values = vec![0; held(map).count()];
+    let mut values: Vec<u32> = held(map).map(|register| sensible(register, 0)).collect();
     for _ in 0..8 {
         for (place, register) in held(map).enumerate() {
             let value = script.random.u32(..);
@@ -118,11 +136,11 @@ fn keep_apart(script: &mut Script, map: &[Register]) {
                 script.begin_read(register.address, values[other]);
             }
             script.sync();
-            values[place] = value & kept(register);
+            values[place] = sensible(register, value) & kept(register);
         }
     }
     for register in held(map) {
-        script.write(register.address, 0);
+        script.write(register.address, sensible(register, 0));
     }
 }
 

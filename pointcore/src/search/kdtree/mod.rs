@@ -116,7 +116,7 @@ impl Tree {
     }
 
     /// Whether this tree fits the hardware of a configuration.
-    pub(super) fn check(&self, config: &Config) -> Result<(), SearchError> {
+    pub(crate) fn check(&self, config: &Config) -> Result<(), SearchError> {
         let same = self.format == config.geometry
             && self.lanes == config.lanes
             && self.leaves.len() == 1 << config.tree_depth

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub const WORD_BYTES: u32 = TREE_WORD_BITS / 8;
 
 /// A table of what lies where: runs of beats without a gap.
-fn table(script: &mut Script, beats: &BTreeMap<u64, Vec<u8>>) -> u32 {
+pub fn table(script: &mut Script, beats: &BTreeMap<u64, Vec<u8>>) -> u32 {
     let mut runs: Vec<(u64, Vec<u8>, u32)> = vec![];
     for (address, bytes) in beats {
         match runs.last_mut() {

@@ -1,7 +1,7 @@
 //! The script for the search core.
 
 mod aborts;
-mod memory;
+pub mod memory;
 mod runs;
 mod searches;
 mod window;

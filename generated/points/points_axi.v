@@ -1,0 +1,1718 @@
+// The whole design is one file, named after its top.
+/* verilator lint_off DECLFILENAME */
+
+// Point processor on AXI.
+module points_axi (
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output wire s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output wire s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
+    output wire [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    input  wire s_axis_query_tvalid, output wire s_axis_query_tready,  // Beats of packets.
+    input  wire [63:0] s_axis_query_tdata,  // Its bytes.
+    input  wire s_axis_query_tlast,  // Closes its packet.
+    output wire m_axis_result_tvalid, input wire m_axis_result_tready,  // Beats of packets.
+    output wire [63:0] m_axis_result_tdata,  // Its bytes.
+    output wire m_axis_result_tlast,  // Closes its packet.
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
+    input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
+    input  wire [17:0] s_axi_awaddr,  // Its first byte.
+    input  wire [7:0] s_axi_awlen,  // One less than its beats.
+    input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
+    input  wire s_axi_wvalid, output wire s_axi_wready,  // Their beats.
+    input  wire [63:0] s_axi_wdata,  // Its bytes.
+    input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
+    input  wire s_axi_wlast,  // Closes its burst.
+    output wire s_axi_bvalid, input wire s_axi_bready,  // Answers to bursts.
+    output wire [3:0] s_axi_bid,  // The burst's identifier.
+    output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
+    input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
+    input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
+    input  wire [17:0] s_axi_araddr,  // Its first byte.
+    input  wire [7:0] s_axi_arlen,  // One less than its beats.
+    input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
+    output wire s_axi_rvalid, input wire s_axi_rready,  // Their beats.
+    output wire [3:0] s_axi_rid,  // The burst's identifier.
+    output wire [63:0] s_axi_rdata,  // Its bytes.
+    output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
+    output wire s_axi_rlast,  // Closes its burst.
+    output wire m_axi_line_arvalid, input wire m_axi_line_arready,  // Bursts wanted.
+    output wire [3:0] m_axi_line_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_line_araddr,  // Its first byte.
+    output wire [7:0] m_axi_line_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_line_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_line_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_line_rvalid, output wire m_axi_line_rready,  // Their beats.
+    input  wire [3:0] m_axi_line_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_line_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_line_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_line_rlast,  // Closes its burst.
+    output wire irq  // Interrupt.
+);
+    reg [31:0] queries_left, answers_left;
+    reg empty_leaf;
+    reg [2:0] beat;
+    reg [6:0] points_awaited;
+
+    wire core_query_ready, core_fetch_valid;
+    wire [3:0] core_fetch_thread;
+    wire [21:0] core_fetch_address;
+    wire [2:0] core_fetch_beats;
+    wire core_beat_ready, core_line_valid;
+    wire [21:0] core_line_line;
+    wire core_fill_ready, core_result_valid;
+    wire [23:0] core_result_number;
+    wire [15:0] core_result_iterations;
+    wire core_result_capped;
+    wire [31:0] core_result_output_position_x, core_result_output_position_y, core_result_output_position_z;
+    wire [31:0] core_result_output_normal_x, core_result_output_normal_y, core_result_output_normal_z;
+    wire [31:0] core_result_output_residual;
+    wire core_result_output_valid, core_idle, core_event_node, core_event_pop, core_event_beat;
+    wire core_event_insert, core_event_insert_wait, core_event_thread_wait, core_event_point_hit;
+    wire core_event_point_miss, core_event_query_wait, core_event_kernel, core_event_kernel_wait;
+    wire core_event_again, core_event_line_hit, core_event_line_miss, registers_busy, registers_start;
+    wire registers_core_reset, registers_aborts;
+    wire [31:0] registers_points_base, registers_lines_base, registers_queries;
+    wire [5:0] registers_k;
+    wire [31:0] registers_radius2;
+    wire [15:0] registers_iterations_max;
+    wire [31:0] registers_setting_inverse_radius2, registers_setting_tolerance;
+    wire queries_out_valid;
+    wire [23:0] queries_out_number;
+    wire [31:0] queries_out_query_position_x, queries_out_query_position_y, queries_out_query_position_z;
+    wire queries_taken, queries_refused, results_in_ready, results_sent, results_idle, early_end_aborts;
+    wire early_end_ended, points_request_ready, points_record_valid;
+    wire [31:0] points_record_x0, points_record_y0, points_record_z0, points_record_x1, points_record_y1;
+    wire [31:0] points_record_z1, points_record_x2, points_record_y2, points_record_z2, points_record_x3;
+    wire [31:0] points_record_y3, points_record_z3;
+    wire points_error, points_misplaced, fetches_in_ready, fetches_out_valid;
+    wire [28:0] fetches_out_data;
+    wire tree_write_valid;
+    wire [14:0] tree_write_index;
+    wire [63:0] tree_write_data;
+    wire tree_refused_busy, tree_occupied, tree_refused_burst, lines_request_ready, lines_record_valid;
+    wire [31:0] lines_record_position_x, lines_record_position_y, lines_record_position_z, lines_record_normal_x;
+    wire [31:0] lines_record_normal_y, lines_record_normal_z;
+    wire lines_error, lines_misplaced;
+
+    wire core_fetch_ready = points_request_ready & fetches_in_ready;
+    wire gives_beat = points_record_valid & fetches_out_valid;
+    wire [3:0] fetches_out_thread = fetches_out_data[28:25];
+    wire [21:0] fetches_out_address = fetches_out_data[24:3];
+    wire [2:0] beat_plus_1 = beat + 3'd1;
+    wire [2:0] fetches_out_beats = fetches_out_data[2:0];
+    wire last_beat = beat_plus_1 == fetches_out_beats;
+    wire registers_finished_both = ~(|answers_left) & ~registers_start & results_idle & ~early_end_aborts;
+    wire queries_last_choice = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire quiet = results_idle & (points_awaited == 7'd0) & ~fetches_out_valid;
+    wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
+    wire is_empty = core_fetch_beats == 3'd0;
+    wire [2:0] beats = core_fetch_beats | {2'd0, is_empty};
+    wire points_record_ready_either = core_beat_ready | early_end_aborts;
+    wire points_record_ready = points_record_ready_either & fetches_out_valid;
+    wire beat_moves = gives_beat & points_record_ready_either;
+    wire fetches_out_ready = beat_moves & last_beat;
+    wire [31:0] line_address = registers_lines_base + {3'd0, core_line_line, 7'd0};
+    wire lines_record_ready = core_fill_ready | early_end_aborts;
+    wire answered = core_result_valid & results_in_ready;
+    wire [6:0] points_awaited_sum = points_awaited + ({7{core_line_valid & lines_request_ready}} & 7'd4);
+
+    points_top core (
+        .clk(clk), .rst(rst | (registers_core_reset | early_end_aborts)), .tree_valid(tree_write_valid),
+        .tree_is_leaf(tree_write_index[14]), .tree_address(tree_write_index[13:0]),
+        .tree_split(tree_write_data[31:0]), .tree_dimension(tree_write_data[33:32]),
+        .tree_internal_leaf(tree_write_data[40]), .tree_begin(tree_write_data[21:0]),
+        .tree_beats(tree_write_data[34:32]),
+        .search_k(registers_k), .search_radius2(registers_radius2),
+        .setting_inverse_radius2(registers_setting_inverse_radius2),
+        .setting_tolerance(registers_setting_tolerance),
+        .iterations_max(registers_iterations_max),
+        .query_valid(queries_out_valid), .query_ready(core_query_ready), .query_number(queries_out_number),
+        .query_query_position_x(queries_out_query_position_x),
+        .query_query_position_y(queries_out_query_position_y),
+        .query_query_position_z(queries_out_query_position_z),
+        .fetch_valid(core_fetch_valid), .fetch_ready(core_fetch_ready), .fetch_thread(core_fetch_thread),
+        .fetch_address(core_fetch_address), .fetch_beats(core_fetch_beats),
+        .beat_valid(gives_beat), .beat_ready(core_beat_ready), .beat_thread(fetches_out_thread),
+        .beat_address(fetches_out_address + {19'd0, beat}), .beat_last(last_beat), .beat_x0(points_record_x0),
+        .beat_y0(points_record_y0), .beat_z0(points_record_z0), .beat_x1(points_record_x1),
+        .beat_y1(points_record_y1), .beat_z1(points_record_z1), .beat_x2(points_record_x2),
+        .beat_y2(points_record_y2), .beat_z2(points_record_z2), .beat_x3(points_record_x3),
+        .beat_y3(points_record_y3), .beat_z3(points_record_z3),
+        .line_valid(core_line_valid), .line_ready(lines_request_ready), .line_line(core_line_line),
+        .fill_valid(lines_record_valid), .fill_ready(core_fill_ready),
+        .fill_position_x(lines_record_position_x), .fill_position_y(lines_record_position_y),
+        .fill_position_z(lines_record_position_z), .fill_normal_x(lines_record_normal_x),
+        .fill_normal_y(lines_record_normal_y), .fill_normal_z(lines_record_normal_z),
+        .result_valid(core_result_valid), .result_ready(results_in_ready), .result_number(core_result_number),
+        .result_iterations(core_result_iterations), .result_capped(core_result_capped),
+        .result_output_position_x(core_result_output_position_x),
+        .result_output_position_y(core_result_output_position_y),
+        .result_output_position_z(core_result_output_position_z),
+        .result_output_normal_x(core_result_output_normal_x),
+        .result_output_normal_y(core_result_output_normal_y),
+        .result_output_normal_z(core_result_output_normal_z),
+        .result_output_residual(core_result_output_residual), .result_output_valid(core_result_output_valid),
+        .idle(core_idle), .event_node(core_event_node), .event_pop(core_event_pop),
+        .event_beat(core_event_beat), .event_insert(core_event_insert),
+        .event_insert_wait(core_event_insert_wait), .event_thread_wait(core_event_thread_wait),
+        .event_point_hit(core_event_point_hit), .event_point_miss(core_event_point_miss),
+        .event_query_wait(core_event_query_wait), .event_kernel(core_event_kernel),
+        .event_kernel_wait(core_event_kernel_wait), .event_again(core_event_again),
+        .event_line_hit(core_event_line_hit), .event_line_miss(core_event_line_miss)
+    );
+
+    bus_registers registers (
+        .clk(clk), .rst(rst), .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(s_axil_bresp),
+        .finished(registers_finished_both | early_end_ended), .occupied(tree_occupied | early_end_aborts),
+        .busy(registers_busy),
+        .start(registers_start), .core_reset(registers_core_reset),
+        .aborts(registers_aborts), .busy_error(tree_refused_busy),
+        .burst_error({lines_misplaced, empty_leaf, points_misplaced, tree_refused_burst}),
+        .packet_error(queries_refused),
+        .memory_error({lines_error, points_error}),
+        .packet_taken(queries_taken), .packet_sent(results_sent),
+        .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
+        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
+        .event_thread_wait(core_event_thread_wait), .event_point_hit(core_event_point_hit),
+        .event_point_miss(core_event_point_miss), .event_query_wait(core_event_query_wait),
+        .event_kernel(core_event_kernel), .event_kernel_wait(core_event_kernel_wait),
+        .event_again(core_event_again), .event_line_hit(core_event_line_hit),
+        .event_line_miss(core_event_line_miss),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(s_axil_arready), .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(s_axil_rvalid), .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata),
+        .s_axil_rresp(s_axil_rresp),
+        .irq(irq), .points_base(registers_points_base),
+        .lines_base(registers_lines_base),
+        .queries(registers_queries), .k(registers_k), .radius2(registers_radius2),
+        .iterations_max(registers_iterations_max),
+        .setting_inverse_radius2(registers_setting_inverse_radius2),
+        .setting_tolerance(registers_setting_tolerance)
+    );
+
+    bus_packet_in queries (
+        .clk(clk), .rst(rst | early_end_aborts), .opens(registers_start),
+        .last((queries_left[31:2] == 30'd0) & queries_last_choice), .s_axis_tvalid(s_axis_query_tvalid),
+        .s_axis_tready(s_axis_query_tready), .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tlast(s_axis_query_tlast),
+        .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
+        .out_query_position_x(queries_out_query_position_x),
+        .out_query_position_y(queries_out_query_position_y),
+        .out_query_position_z(queries_out_query_position_z),
+        .taken(queries_taken), .refused(queries_refused)
+    );
+
+    bus_packet_out results (
+        .clk(clk), .rst(rst), .in_valid(core_result_valid), .in_ready(results_in_ready),
+        .in_number(core_result_number), .in_iterations(core_result_iterations),
+        .in_capped(core_result_capped), .in_output_position_x(core_result_output_position_x),
+        .in_output_position_y(core_result_output_position_y),
+        .in_output_position_z(core_result_output_position_z),
+        .in_output_normal_x(core_result_output_normal_x), .in_output_normal_y(core_result_output_normal_y),
+        .in_output_normal_z(core_result_output_normal_z), .in_output_residual(core_result_output_residual),
+        .in_output_valid(core_result_output_valid),
+        .m_axis_tvalid(m_axis_result_tvalid), .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(m_axis_result_tdata), .m_axis_tlast(m_axis_result_tlast),
+        .sent(results_sent), .idle(results_idle)
+    );
+
+    bus_abort early_end (
+        .clk(clk), .rst(rst), .asked(registers_aborts), .running(registers_busy), .quiet(quiet),
+        .aborts(early_end_aborts), .ended(early_end_ended)
+    );
+
+    bus_reader points (
+        .clk(clk), .rst(rst), .request_valid(core_fetch_valid & fetches_in_ready),
+        .request_ready(points_request_ready), .request_address(points_address), .request_records(beats),
+        .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
+        .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
+        .m_axi_arburst(m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(m_axi_rready),
+        .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata), .m_axi_rresp(m_axi_rresp),
+        .m_axi_rlast(m_axi_rlast),
+        .record_valid(points_record_valid), .record_ready(points_record_ready), .record_x0(points_record_x0),
+        .record_y0(points_record_y0), .record_z0(points_record_z0), .record_x1(points_record_x1),
+        .record_y1(points_record_y1), .record_z1(points_record_z1), .record_x2(points_record_x2),
+        .record_y2(points_record_y2), .record_z2(points_record_z2), .record_x3(points_record_x3),
+        .record_y3(points_record_y3), .record_z3(points_record_z3),
+        .error(points_error), .misplaced(points_misplaced)
+    );
+
+    stream_fifo_d16_w29 fetches (
+        .clk(clk), .rst(rst), .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
+        .in_data({core_fetch_thread, core_fetch_address, beats}),
+        .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
+    );
+
+    bus_window tree (
+        .clk(clk), .rst(rst), .locked(registers_busy), .s_axi_awvalid(s_axi_awvalid),
+        .s_axi_awready(s_axi_awready), .s_axi_awid(s_axi_awid), .s_axi_awaddr(s_axi_awaddr),
+        .s_axi_awlen(s_axi_awlen), .s_axi_awsize(s_axi_awsize), .s_axi_awburst(s_axi_awburst),
+        .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(s_axi_wready), .s_axi_wdata(s_axi_wdata),
+        .s_axi_wstrb(s_axi_wstrb), .s_axi_wlast(s_axi_wlast),
+        .write_valid(tree_write_valid), .write_index(tree_write_index), .write_data(tree_write_data),
+        .s_axi_bvalid(s_axi_bvalid), .s_axi_bready(s_axi_bready), .s_axi_bid(s_axi_bid),
+        .s_axi_bresp(s_axi_bresp),
+        .refused_busy(tree_refused_busy),
+        .occupied(tree_occupied), .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(s_axi_arready),
+        .s_axi_arid(s_axi_arid), .s_axi_araddr(s_axi_araddr), .s_axi_arlen(s_axi_arlen),
+        .s_axi_arsize(s_axi_arsize), .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(s_axi_rvalid),
+        .s_axi_rready(s_axi_rready), .s_axi_rid(s_axi_rid), .s_axi_rdata(s_axi_rdata),
+        .s_axi_rresp(s_axi_rresp), .s_axi_rlast(s_axi_rlast),
+        .refused_burst(tree_refused_burst)
+    );
+
+    bus_reader_v2 lines (
+        .clk(clk), .rst(rst), .request_valid(core_line_valid), .request_ready(lines_request_ready),
+        .request_address(line_address), .request_records(3'd4),
+        .m_axi_arvalid(m_axi_line_arvalid), .m_axi_arready(m_axi_line_arready), .m_axi_arid(m_axi_line_arid),
+        .m_axi_araddr(m_axi_line_araddr), .m_axi_arlen(m_axi_line_arlen), .m_axi_arsize(m_axi_line_arsize),
+        .m_axi_arburst(m_axi_line_arburst), .m_axi_rvalid(m_axi_line_rvalid),
+        .m_axi_rready(m_axi_line_rready), .m_axi_rid(m_axi_line_rid), .m_axi_rdata(m_axi_line_rdata),
+        .m_axi_rresp(m_axi_line_rresp), .m_axi_rlast(m_axi_line_rlast),
+        .record_valid(lines_record_valid), .record_ready(lines_record_ready),
+        .record_position_x(lines_record_position_x), .record_position_y(lines_record_position_y),
+        .record_position_z(lines_record_position_z), .record_normal_x(lines_record_normal_x),
+        .record_normal_y(lines_record_normal_y), .record_normal_z(lines_record_normal_z),
+        .error(lines_error), .misplaced(lines_misplaced)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            queries_left <= 32'd0;
+            answers_left <= 32'd0;
+            empty_leaf <= 1'd0;
+            beat <= 3'd0;
+            points_awaited <= 7'd0;
+        end else begin
+            queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
+            answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
+            empty_leaf <= core_fetch_valid & core_fetch_ready & is_empty;
+            points_awaited <= points_awaited_sum - {6'd0, lines_record_valid & lines_record_ready};
+            if (beat_moves) beat <= last_beat ? 3'd0 : beat_plus_1;
+        end
+    end
+
+    wire _unused = &{1'b0, core_idle, tree_write_data[39:35], tree_write_data[63:41]};
+endmodule
+
+// Reads records from memory in bursts.
+// beats = 4
+// width = 64
+// records = 4
+module bus_reader_v2 (
+    input  wire clk, input wire rst,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
+    input  wire [31:0] request_address,  // Where the first one lies.
+    input  wire [2:0] request_records,  // How many.
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid, input wire record_ready,  // The records.
+    output wire [31:0] record_position_x,  // Words of the neighbor.
+    output wire [31:0] record_position_y,  // Words of the neighbor.
+    output wire [31:0] record_position_z,  // Words of the neighbor.
+    output wire [31:0] record_normal_x,  // Words of the neighbor.
+    output wire [31:0] record_normal_y,  // Words of the neighbor.
+    output wire [31:0] record_normal_z,  // Words of the neighbor.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
+);
+    reg held;
+    reg [26:0] address;
+    reg [2:0] records;
+    reg [7:0] number;
+    reg [31:0] held_position_x_0, held_position_y_0, held_position_z_0, held_normal_x_0, held_normal_y_0;
+    reg [31:0] held_normal_z_0;
+    reg is_wrong;
+
+    wire address_queue_in_ready;
+    wire [34:0] address_queue_out_data;
+    wire length_queue_in_ready, length_queue_out_valid;
+    wire [7:0] length_queue_out_data;
+    wire beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
+
+    wire issues = held & (address_queue_in_ready & length_queue_in_ready);
+    wire [6:0] room_records = 7'd64 - {1'd0, address[5:0]};
+    wire crosses = room_records < {4'd0, records};
+    wire takes_request = ~held | (issues & ~crosses);
+    wire [26:0] address_queue_out_address = address_queue_out_data[34:8];
+    wire [6:0] burst = crosses ? room_records : {4'd0, records};
+    wire [8:0] length_difference = {burst, 2'd0} - 9'd1;
+    wire [7:0] length = length_difference[7:0];
+    wire advance = ~record_valid | record_ready;
+    wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
+    wire ends = number == length_queue_out_data;
+    wire length_queue_out_ready = moves & ends;
+    wire beat_queue_out_ready = advance | ~length_queue_out_valid;
+    wire takes_request_or_issues = takes_request | issues;
+    wire [6:0] records_minus_room_records = {4'd0, records} - room_records;
+    wire takes_beat_0 = moves & (number[1:0] == 2'd0);
+    wire takes_beat_1 = moves & (number[1:0] == 2'd1);
+    wire takes_beat_2 = moves & (number[1:0] == 2'd2);
+    wire beat_queue_out_last = beat_queue_out_data[0];
+    wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
+
+    assign request_ready = takes_request;
+    assign m_axi_arid = 4'd0;
+    assign m_axi_araddr = {address_queue_out_address, 5'd0};
+    assign m_axi_arlen = address_queue_out_data[7:0];
+    assign m_axi_arsize = 3'd3;
+    assign m_axi_arburst = 2'd1;
+    assign record_position_x = held_position_x_0;
+    assign record_position_y = held_position_y_0;
+    assign record_position_z = held_position_z_0;
+    assign record_normal_x = held_normal_x_0;
+    assign record_normal_y = held_normal_y_0;
+    assign record_normal_z = held_normal_z_0;
+
+    stream_skid_w35 address_queue (
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
+        .in_data({address, length}),
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+    );
+
+    stream_fifo_d16_w8 length_queue (
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
+        .out_data(length_queue_out_data)
+    );
+
+    stream_skid_w65 beat_queue (
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            record_valid <= 1'd0;
+            number <= 8'd0;
+            error <= 1'd0;
+            is_wrong <= 1'd0;
+            misplaced <= 1'd0;
+        end else begin
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= moves & (number[1:0] == 2'd3);
+            if (moves) begin
+                number <= ends ? 8'd0 : (number + 8'd1);
+                is_wrong <= ~ends & is_wrong_either;
+            end
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
+            misplaced <= (beat_queue_out_valid & ~length_queue_out_valid) | (moves & (ends & is_wrong_either));
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_request_or_issues) begin
+            address <= takes_request ? request_address[31:5] : {address[26:6] + 21'd1, 6'd0};
+            records <= takes_request ? request_records : records_minus_room_records[2:0];
+        end
+        if (takes_beat_0) begin
+            held_position_x_0 <= beat_queue_out_data[32:1];
+            held_position_y_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_1) begin
+            held_position_z_0 <= beat_queue_out_data[32:1];
+            held_normal_x_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_2) begin
+            held_normal_y_0 <= beat_queue_out_data[32:1];
+            held_normal_z_0 <= beat_queue_out_data[64:33];
+        end
+    end
+
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[6:3], request_address[4:0]};
+endmodule
+
+// Takes bursts of words into a memory, and refuses all others.
+// index_bits = 15
+module bus_window (
+    input  wire clk, input wire rst,
+    input  wire locked,  // Nothing may be written.
+    input  wire s_axi_awvalid, output wire s_axi_awready,  // Bursts to be written.
+    input  wire [3:0] s_axi_awid,  // The burst's identifier, which its answers bear.
+    input  wire [17:0] s_axi_awaddr,  // Its first byte.
+    input  wire [7:0] s_axi_awlen,  // One less than its beats.
+    input  wire [2:0] s_axi_awsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_awburst,  // How the address goes on: up, where it is 1.
+    input  wire s_axi_wvalid, output wire s_axi_wready,  // Their beats.
+    input  wire [63:0] s_axi_wdata,  // Its bytes.
+    input  wire [7:0] s_axi_wstrb,  // A bit for each byte that is to be written.
+    input  wire s_axi_wlast,  // Closes its burst.
+    output reg  write_valid,  // Words written.
+    output reg  [14:0] write_index,  // Its place.
+    output reg  [63:0] write_data,  // The word.
+    output reg  s_axi_bvalid, input wire s_axi_bready,  // Answers to bursts.
+    output reg  [3:0] s_axi_bid,  // The burst's identifier.
+    output wire [1:0] s_axi_bresp,  // Whether all is well: 0 if so.
+    output reg  refused_busy,  // A burst was refused because nothing may be written.
+    output wire occupied,  // A burst is being written.
+    input  wire s_axi_arvalid, output wire s_axi_arready,  // Bursts wanted.
+    input  wire [3:0] s_axi_arid,  // The burst's identifier, which its answers bear.
+    input  wire [17:0] s_axi_araddr,  // Its first byte.
+    input  wire [7:0] s_axi_arlen,  // One less than its beats.
+    input  wire [2:0] s_axi_arsize,  // The binary logarithm of a beat's bytes.
+    input  wire [1:0] s_axi_arburst,  // How the address goes on: up, where it is 1.
+    output reg  s_axi_rvalid, input wire s_axi_rready,  // Their beats.
+    output reg  [3:0] s_axi_rid,  // The burst's identifier.
+    output wire [63:0] s_axi_rdata,  // Its bytes.
+    output wire [1:0] s_axi_rresp,  // Whether all is well: 0 if so.
+    output wire s_axi_rlast,  // Closes its burst.
+    output reg  refused_burst  // A burst was refused for what it is.
+);
+    reg is_judged, takes_words, is_plain;
+    reg [14:0] index;
+    reg [7:0] left;
+    reg is_refused, is_busy, is_unfit, is_error;
+    reg [7:0] beats_left;
+    reg read_waits;
+
+    wire is_judged_or_takes_words = is_judged | takes_words;
+    wire address_ready = ~(is_judged_or_takes_words | s_axi_bvalid);
+    wire reads_last = beats_left == 8'd0;
+    wire begins = s_axi_awvalid & address_ready;
+    wire takes = takes_words & s_axi_wvalid;
+    wire at_end = left == 8'd0;
+    wire ends = takes & at_end;
+    wire begins_or_takes = begins | takes;
+    wire [15:0] index_plus_left = {1'd0, index} + {8'd0, left};
+    wire fits = is_plain & ~index_plus_left[15];
+    wire is_bad = ~(&s_axi_wstrb) | (s_axi_wlast ^ at_end);
+    wire is_error_either = is_refused | (is_bad & ~is_busy);
+    wire read_begins = s_axi_arvalid & ~s_axi_rvalid;
+    wire beat_goes = s_axi_rvalid & s_axi_rready;
+    wire refused_write = ends & is_error_either;
+
+    assign s_axi_awready = address_ready;
+    assign s_axi_wready = takes_words;
+    assign s_axi_bresp = is_error ? 2'd2 : 2'd0;
+    assign occupied = is_judged_or_takes_words;
+    assign s_axi_arready = ~s_axi_rvalid;
+    assign s_axi_rdata = 64'd0;
+    assign s_axi_rresp = 2'd2;
+    assign s_axi_rlast = reads_last;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            is_judged <= 1'd0;
+            takes_words <= 1'd0;
+            s_axi_bvalid <= 1'd0;
+            write_valid <= 1'd0;
+            refused_busy <= 1'd0;
+            s_axi_rvalid <= 1'd0;
+            read_waits <= 1'd0;
+            refused_burst <= 1'd0;
+        end else begin
+            is_judged <= begins;
+            takes_words <= is_judged | (takes_words & ~ends);
+            s_axi_bvalid <= ends | (s_axi_bvalid & ~s_axi_bready);
+            write_valid <= takes & ~(is_bad | (is_busy | is_unfit));
+            refused_busy <= ends & is_busy;
+            s_axi_rvalid <= read_begins | (s_axi_rvalid & ~(beat_goes & reads_last));
+            read_waits <= read_begins | (read_waits & refused_write);
+            refused_burst <= refused_write | read_waits;
+        end
+    end
+    always @(posedge clk) begin
+        if (begins) begin
+            s_axi_bid <= s_axi_awid;
+            is_plain <= (s_axi_awburst == 2'd1) & (s_axi_awsize == 3'd3) & (s_axi_awaddr[2:0] == 3'd0);
+        end
+        if (begins_or_takes) begin
+            index <= begins ? s_axi_awaddr[17:3] : (index + 15'd1);
+            left <= begins ? s_axi_awlen : (left - 8'd1);
+        end
+        if (is_judged | takes) is_refused <= is_judged ? ~fits : is_error_either;
+        if (is_judged) begin
+            is_busy <= fits & locked;
+            is_unfit <= ~fits;
+        end
+        write_index <= index;
+        write_data <= s_axi_wdata;
+        if (ends) is_error <= is_error_either | is_busy;
+        if (read_begins) s_axi_rid <= s_axi_arid;
+        if (read_begins | beat_goes) begin
+            beats_left <= read_begins ? s_axi_arlen : (beats_left - 8'd1);
+        end
+    end
+
+    wire _unused = &{1'b0, index_plus_left[14:0], s_axi_araddr, s_axi_arburst, s_axi_arsize};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 29
+module stream_fifo_d16_w29 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [28:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [28:0] out_data
+);
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [28:0] item;
+
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(29), .DEPTH(16)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Reads records from memory in bursts.
+// beats = 8
+// width = 64
+// records = 4
+module bus_reader (
+    input  wire clk, input wire rst,
+    input  wire request_valid, output wire request_ready,  // Records wanted.
+    input  wire [31:0] request_address,  // Where the first one lies.
+    input  wire [2:0] request_records,  // How many.
+    output wire m_axi_arvalid, input wire m_axi_arready,  // Bursts wanted.
+    output wire [3:0] m_axi_arid,  // The burst's identifier, which its answers bear.
+    output wire [31:0] m_axi_araddr,  // Its first byte.
+    output wire [7:0] m_axi_arlen,  // One less than its beats.
+    output wire [2:0] m_axi_arsize,  // The binary logarithm of a beat's bytes.
+    output wire [1:0] m_axi_arburst,  // How the address goes on: up, where it is 1.
+    input  wire m_axi_rvalid, output wire m_axi_rready,  // Their beats.
+    input  wire [3:0] m_axi_rid,  // The burst's identifier.
+    input  wire [63:0] m_axi_rdata,  // Its bytes.
+    input  wire [1:0] m_axi_rresp,  // Whether all is well: 0 if so.
+    input  wire m_axi_rlast,  // Closes its burst.
+    output reg  record_valid, input wire record_ready,  // The records.
+    output wire [31:0] record_x0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z0,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z1,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z2,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_x3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_y3,  // A point a lane; NaN where there is none.
+    output wire [31:0] record_z3,  // A point a lane; NaN where there is none.
+    output reg  error,  // An answer was none of success.
+    output reg  misplaced  // A burst ended whose last beat was not marked so, or another was; or a beat came that nobody asked for.
+);
+    reg held;
+    reg [25:0] address;
+    reg [2:0] records;
+    reg [7:0] number;
+    reg [31:0] held_x0_0, held_y0_0, held_z0_0, held_x1_0, held_y1_0, held_z1_0, held_x2_0, held_y2_0, held_z2_0;
+    reg [31:0] held_x3_0, held_y3_0, held_z3_0;
+    reg is_wrong;
+
+    wire address_queue_in_ready;
+    wire [33:0] address_queue_out_data;
+    wire length_queue_in_ready, length_queue_out_valid;
+    wire [7:0] length_queue_out_data;
+    wire beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
+
+    wire issues = held & (address_queue_in_ready & length_queue_in_ready);
+    wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
+    wire crosses = room_records < {3'd0, records};
+    wire takes_request = ~held | (issues & ~crosses);
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
+    wire [5:0] burst = crosses ? room_records : {3'd0, records};
+    wire [8:0] length_difference = {burst, 3'd0} - 9'd1;
+    wire [7:0] length = length_difference[7:0];
+    wire advance = ~record_valid | record_ready;
+    wire moves = beat_queue_out_valid & (advance & length_queue_out_valid);
+    wire ends = number == length_queue_out_data;
+    wire length_queue_out_ready = moves & ends;
+    wire beat_queue_out_ready = advance | ~length_queue_out_valid;
+    wire takes_request_or_issues = takes_request | issues;
+    wire [5:0] records_minus_room_records = {3'd0, records} - room_records;
+    wire takes_beat_0 = moves & (number[2:0] == 3'd0);
+    wire takes_beat_1 = moves & (number[2:0] == 3'd1);
+    wire takes_beat_2 = moves & (number[2:0] == 3'd2);
+    wire takes_beat_3 = moves & (number[2:0] == 3'd3);
+    wire takes_beat_4 = moves & (number[2:0] == 3'd4);
+    wire takes_beat_5 = moves & (number[2:0] == 3'd5);
+    wire beat_queue_out_last = beat_queue_out_data[0];
+    wire is_wrong_either = is_wrong | (beat_queue_out_last ^ ends);
+
+    assign request_ready = takes_request;
+    assign m_axi_arid = 4'd0;
+    assign m_axi_araddr = {address_queue_out_address, 6'd0};
+    assign m_axi_arlen = address_queue_out_data[7:0];
+    assign m_axi_arsize = 3'd3;
+    assign m_axi_arburst = 2'd1;
+    assign record_x0 = held_x0_0;
+    assign record_y0 = held_y0_0;
+    assign record_z0 = held_z0_0;
+    assign record_x1 = held_x1_0;
+    assign record_y1 = held_y1_0;
+    assign record_z1 = held_z1_0;
+    assign record_x2 = held_x2_0;
+    assign record_y2 = held_y2_0;
+    assign record_z2 = held_z2_0;
+    assign record_x3 = held_x3_0;
+    assign record_y3 = held_y3_0;
+    assign record_z3 = held_z3_0;
+
+    stream_skid_w34 address_queue (
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(address_queue_in_ready),
+        .in_data({address, length}),
+        .out_valid(m_axi_arvalid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
+    );
+
+    stream_fifo_d16_w8 length_queue (
+        .clk(clk), .rst(rst), .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
+        .out_data(length_queue_out_data)
+    );
+
+    stream_skid_w65 beat_queue (
+        .clk(clk), .rst(rst), .in_valid(m_axi_rvalid), .in_ready(m_axi_rready),
+        .in_data({m_axi_rdata, m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            record_valid <= 1'd0;
+            number <= 8'd0;
+            error <= 1'd0;
+            is_wrong <= 1'd0;
+            misplaced <= 1'd0;
+        end else begin
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= moves & (number[2:0] == 3'd7);
+            if (moves) begin
+                number <= ends ? 8'd0 : (number + 8'd1);
+                is_wrong <= ~ends & is_wrong_either;
+            end
+            error <= m_axi_rvalid & m_axi_rready & |m_axi_rresp;
+            misplaced <= (beat_queue_out_valid & ~length_queue_out_valid) | (moves & (ends & is_wrong_either));
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_request_or_issues) begin
+            address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
+            records <= takes_request ? request_records : records_minus_room_records[2:0];
+        end
+        if (takes_beat_0) begin
+            held_x0_0 <= beat_queue_out_data[32:1];
+            held_y0_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_1) begin
+            held_z0_0 <= beat_queue_out_data[32:1];
+            held_x1_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_2) begin
+            held_y1_0 <= beat_queue_out_data[32:1];
+            held_z1_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_3) begin
+            held_x2_0 <= beat_queue_out_data[32:1];
+            held_y2_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_4) begin
+            held_z2_0 <= beat_queue_out_data[32:1];
+            held_x3_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_5) begin
+            held_y3_0 <= beat_queue_out_data[32:1];
+            held_z3_0 <= beat_queue_out_data[64:33];
+        end
+    end
+
+    wire _unused = &{1'b0, length_difference[8], m_axi_rid, records_minus_room_records[5:3], request_address[5:0]};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 8
+module stream_fifo_d16_w8 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [7:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [7:0] out_data
+);
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [7:0] item;
+
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Ends a run early: keeps the core in reset until nothing is under way.
+module bus_abort (
+    input  wire clk, input wire rst,
+    input  wire asked,  // The run is to end.
+    input  wire running,  // A run is under way.
+    input  wire quiet,  // Nothing is under way on the buses.
+    output wire aborts,  // The core is to stay in reset, and what still comes to be dropped.
+    output reg  ended  // The run has ended.
+);
+    reg is_aborting;
+    reg [2:0] quiet_cycles;
+
+    wire counts = is_aborting & quiet;
+    wire ends = counts & (quiet_cycles == 3'd7);
+
+    assign aborts = is_aborting;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            is_aborting <= 1'd0;
+            quiet_cycles <= 3'd0;
+            ended <= 1'd0;
+        end else begin
+            is_aborting <= is_aborting ? ~ends : (asked & running);
+            quiet_cycles <= counts ? (quiet_cycles + 3'd1) : 3'd0;
+            ended <= ends;
+        end
+    end
+endmodule
+
+// Spreads records over the beats of packets.
+// beats = 5
+// width = 64
+module bus_packet_out (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready,  // Records.
+    input  wire [23:0] in_number,  // Its number.
+    input  wire [15:0] in_iterations,  // Iterations that it took.
+    input  wire in_capped,  // It was not done, but had no iteration left.
+    input  wire [31:0] in_output_position_x,  // Words of the outputs.
+    input  wire [31:0] in_output_position_y,  // Words of the outputs.
+    input  wire [31:0] in_output_position_z,  // Words of the outputs.
+    input  wire [31:0] in_output_normal_x,  // Words of the outputs.
+    input  wire [31:0] in_output_normal_y,  // Words of the outputs.
+    input  wire [31:0] in_output_normal_z,  // Words of the outputs.
+    input  wire [31:0] in_output_residual,  // Words of the outputs.
+    input  wire in_output_valid,  // Words of the outputs.
+    output wire m_axis_tvalid, input wire m_axis_tready,  // Beats of packets.
+    output wire [63:0] m_axis_tdata,  // Its bytes.
+    output wire m_axis_tlast,  // Closes its packet.
+    output reg  sent,  // A packet was sent.
+    output wire idle  // Nothing is on its way.
+);
+    reg held;
+    reg [2:0] place;
+    reg [23:0] held_number;
+    reg [15:0] held_iterations;
+    reg held_capped;
+    reg [31:0] held_output_position_x, held_output_position_y, held_output_position_z, held_output_normal_x;
+    reg [31:0] held_output_normal_y, held_output_normal_z, held_output_residual;
+    reg held_output_valid;
+
+    wire beat_queue_in_ready;
+    wire [64:0] beat_queue_out_data;
+
+    wire moves = held & beat_queue_in_ready;
+    wire at_end = place == 3'd4;
+    wire leaves = moves & at_end;
+    wire takes_record = ~held | leaves;
+    wire [63:0] beat_queue_in_data_choice = place[0] ? {held_output_normal_z, held_output_normal_y} : {held_output_normal_x, held_output_position_z};
+    wire [63:0] beat_queue_in_data_choice_2 = place[0] ? {held_output_position_y, held_output_position_x} : {15'd0, held_capped, held_iterations, 8'd0, held_number};
+    wire [63:0] beat_queue_in_data_choice_3 = place[1] ? beat_queue_in_data_choice : beat_queue_in_data_choice_2;
+    wire [63:0] beat_queue_in_data_choice_4 = place[2] ? {31'd0, held_output_valid, held_output_residual} : beat_queue_in_data_choice_3;
+    wire takes = in_valid & takes_record;
+    wire beat_queue_out_last = beat_queue_out_data[0];
+
+    assign in_ready = takes_record;
+    assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
+    assign idle = ~held & ~m_axis_tvalid;
+
+    stream_skid_w65 beat_queue (
+        .clk(clk), .rst(rst), .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({beat_queue_in_data_choice_4, at_end}),
+        .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            place <= 3'd0;
+            sent <= 1'd0;
+        end else begin
+            held <= takes | (held & ~leaves);
+            sent <= m_axis_tvalid & m_axis_tready & beat_queue_out_last;
+            if (moves) place <= at_end ? 3'd0 : (place + 3'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (takes) begin
+            held_number <= in_number;
+            held_iterations <= in_iterations;
+            held_capped <= in_capped;
+            held_output_position_x <= in_output_position_x;
+            held_output_position_y <= in_output_position_y;
+            held_output_position_z <= in_output_position_z;
+            held_output_normal_x <= in_output_normal_x;
+            held_output_normal_y <= in_output_normal_y;
+            held_output_normal_z <= in_output_normal_z;
+            held_output_residual <= in_output_residual;
+            held_output_valid <= in_output_valid;
+        end
+    end
+endmodule
+
+// Queue of two in registers.
+// width = 65
+module stream_skid_w65 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [64:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [64:0] out_data
+);
+    reg second_valid;
+    reg [64:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Gathers the beats of packets into records.
+// beats = 2
+// width = 64
+module bus_packet_in (
+    input  wire clk, input wire rst,
+    input  wire opens,  // A run begins.
+    input  wire last,  // The packet that comes next is the run's last, where packets do not say so themselves.
+    input  wire s_axis_tvalid, output wire s_axis_tready,  // Beats of packets.
+    input  wire [63:0] s_axis_tdata,  // Its bytes.
+    input  wire s_axis_tlast,  // Closes its packet.
+    output reg  out_valid, input wire out_ready,  // The records of good packets.
+    output wire [23:0] out_number,  // Its number, which its result bears.
+    output wire [31:0] out_query_position_x,  // Words of the query, its position first.
+    output wire [31:0] out_query_position_y,  // Words of the query, its position first.
+    output wire [31:0] out_query_position_z,  // Words of the query, its position first.
+    output reg  taken,  // A packet was taken.
+    output reg  refused  // A packet was refused.
+);
+    reg place, is_overlong, begun, is_open;
+    reg [23:0] held_number_0;
+    reg [31:0] held_query_position_x_0, held_query_position_y_0, held_query_position_z_0;
+
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [65:0] beat_queue_out_data;
+
+    wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
+    wire takes = s_axis_tvalid & s_axis_ready;
+    wire takes_and_not_is_overlong = takes & ~is_overlong;
+    wire whole = takes & (s_axis_tlast & (place & ~is_overlong));
+    wire advance = ~out_valid | out_ready;
+    wire beat_queue_out_good = beat_queue_out_data[65];
+    wire moves = beat_queue_out_valid & advance;
+    wire beat_queue_out_place = beat_queue_out_data[0];
+    wire takes_beat_0 = moves & ~beat_queue_out_place;
+    wire takes_beat_1 = moves & beat_queue_out_place;
+
+    assign s_axis_tready = s_axis_ready;
+    assign out_number = held_number_0;
+    assign out_query_position_x = held_query_position_x_0;
+    assign out_query_position_y = held_query_position_y_0;
+    assign out_query_position_z = held_query_position_z_0;
+
+    stream_skid_w66 beat_queue (
+        .clk(clk), .rst(rst), .in_valid(takes_and_not_is_overlong), .in_ready(beat_queue_in_ready),
+        .in_data({whole, s_axis_tdata, place}),
+        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            place <= 1'd0;
+            is_overlong <= 1'd0;
+            begun <= 1'd0;
+            is_open <= 1'd0;
+            out_valid <= 1'd0;
+            taken <= 1'd0;
+            refused <= 1'd0;
+        end else begin
+            if (takes_and_not_is_overlong) begin
+                place <= (s_axis_tlast | place) ? 1'd0 : (place + 1'd1);
+            end
+            if (takes) begin
+                is_overlong <= ~s_axis_tlast & (is_overlong | place);
+                begun <= ~s_axis_tlast;
+            end
+            is_open <= opens | (is_open & ~(whole & last));
+            taken <= whole;
+            refused <= takes & ((s_axis_tlast ^ place) & ~is_overlong);
+            if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_beat_0) begin
+            held_number_0 <= beat_queue_out_data[24:1];
+            held_query_position_x_0 <= beat_queue_out_data[64:33];
+        end
+        if (takes_beat_1) begin
+            held_query_position_y_0 <= beat_queue_out_data[32:1];
+            held_query_position_z_0 <= beat_queue_out_data[64:33];
+        end
+    end
+endmodule
+
+// Queue of two in registers.
+// width = 66
+module stream_skid_w66 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [65:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [65:0] out_data
+);
+    reg second_valid;
+    reg [65:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
+// Registers of a core.
+// registers = 34
+module bus_registers (
+    input  wire clk, input wire rst,
+    input  wire s_axil_awvalid, output wire s_axil_awready,  // Registers to be written.
+    input  wire [11:0] s_axil_awaddr,  // Its first byte.
+    input  wire s_axil_wvalid, output wire s_axil_wready,  // What is written to them.
+    input  wire [31:0] s_axil_wdata,  // The value.
+    input  wire [3:0] s_axil_wstrb,  // A bit for each byte that is to be written.
+    output reg  s_axil_bvalid, input wire s_axil_bready,  // Answers to writes.
+    output wire [1:0] s_axil_bresp,  // Whether all is well: 0 if so.
+    input  wire finished,  // The run has ended.
+    input  wire occupied,  // No run may begin.
+    output reg  busy,  // A run is under way.
+    output reg  start,  // A run begins.
+    output reg  core_reset,  // The core is to be reset.
+    output reg  aborts,  // The run is to end.
+    input  wire busy_error,  // Something was refused because a run is under way.
+    input  wire [3:0] burst_error,  // A burst was refused, or ended where it must not.
+    input  wire packet_error,  // A packet was refused.
+    input  wire [1:0] memory_error,  // Memory answered with an error.
+    input  wire packet_taken,  // A packet was taken.
+    input  wire packet_sent,  // A packet was sent.
+    input  wire event_node,  // A node was visited.
+    input  wire event_pop,  // A path was popped.
+    input  wire event_beat,  // A priority queue was done with a beat of points.
+    input  wire event_insert,  // A neighbor was inserted.
+    input  wire event_insert_wait,  // A beat stayed for one more insertion.
+    input  wire event_thread_wait,  // A query waited for a free thread.
+    input  wire event_point_hit,  // The point cache had a leaf that was wanted.
+    input  wire event_point_miss,  // The point cache lacked a leaf that was wanted.
+    input  wire event_query_wait,  // A query waited for a thread.
+    input  wire event_kernel,  // The kernel took a neighbor.
+    input  wire event_kernel_wait,  // A neighbor waited for the kernel.
+    input  wire event_again,  // A query was not done after an iteration.
+    input  wire event_line_hit,  // A line that was wanted was there.
+    input  wire event_line_miss,  // A line that was wanted was not there.
+    input  wire s_axil_arvalid, output wire s_axil_arready,  // Registers to be read.
+    input  wire [11:0] s_axil_araddr,  // Its first byte.
+    output reg  s_axil_rvalid, input wire s_axil_rready,  // What is read from them.
+    output reg  [31:0] s_axil_rdata,  // The value.
+    output wire [1:0] s_axil_rresp,  // Whether all is well: 0 if so.
+    output reg  irq,  // Interrupt.
+    output wire [31:0] points_base,  // Address of the positions, as the search reads them.
+    output wire [31:0] lines_base,  // Address of the points, as the program reads them.
+    output wire [31:0] queries,  // Queries of the next run.
+    output wire [5:0] k,  // Neighbors wanted.
+    output wire [31:0] radius2,  // Squared radius within which neighbors count.
+    output wire [15:0] iterations_max,  // Iterations of a query at most.
+    output wire [31:0] setting_inverse_radius2,  // A constant of the program.
+    output wire [31:0] setting_tolerance  // A constant of the program.
+);
+    (* ram_style = "distributed" *)
+    reg [31:0] words [0:21];
+    reg has_address, has_data;
+    reg [11:0] write_address;
+    reg [31:0] write_data;
+    reg write_strobes, write_is_okay, interrupt_enable_bits;
+    reg [19:0] points_base_bits, lines_base_bits;
+    reg [31:0] queries_bits;
+    reg [5:0] k_bits;
+    reg [31:0] radius2_bits;
+    reg [15:0] iterations_max_bits;
+    reg [31:0] setting_inverse_radius2_bits, setting_tolerance_bits;
+    reg clear_errors, done, has_read_address;
+    reg [11:0] read_address;
+    reg error, adds;
+    reg [4:0] visited;
+    reg [7:0] part_0;
+    reg void_0;
+    reg [7:0] part_1;
+    reg void_1;
+    reg [8:0] part_2;
+    reg void_2;
+    reg [6:0] part_3;
+    reg void_3;
+    reg [7:0] part_4;
+    reg void_4;
+    reg [6:0] part_5;
+    reg void_5;
+    reg [6:0] part_6;
+    reg void_6;
+    reg [6:0] part_7;
+    reg void_7;
+    reg [6:0] part_8;
+    reg void_8;
+    reg [6:0] part_9;
+    reg void_9;
+    reg [6:0] part_10;
+    reg void_10;
+    reg [6:0] part_11;
+    reg void_11;
+    reg [6:0] part_12;
+    reg void_12;
+    reg [6:0] part_13;
+    reg void_13;
+    reg [6:0] part_14;
+    reg void_14;
+    reg [6:0] part_15;
+    reg void_15;
+    reg [6:0] part_16;
+    reg void_16;
+    reg [6:0] part_17;
+    reg void_17;
+    reg [6:0] part_18;
+    reg void_18;
+    reg [6:0] part_19;
+    reg void_19;
+    reg [6:0] part_20;
+    reg void_20;
+    reg [6:0] part_21;
+    reg void_21;
+    reg [8:0] part;
+    reg is_void;
+    reg [31:0] word;
+    reg [4:0] round;
+    reg for_read, read_valid;
+    reg [31:0] read_value;
+    reg read_is_error;
+
+    wire read_ready = ~(has_read_address | s_axil_rvalid);
+    wire judges = has_address & (has_data & ~s_axil_bvalid);
+    wire write_address_11_2_is_1 = write_address[11:2] == 10'd1;
+    wire write_address_11_2_is_3 = write_address[11:2] == 10'd3;
+    wire write_address_11_2_is_48 = write_address[11:2] == 10'd48;
+    wire shaped_either = write_address_11_2_is_1 | write_address_11_2_is_3 | write_address_11_2_is_48;
+    wire write_address_11_2_is_50 = write_address[11:2] == 10'd50;
+    wire write_address_11_2_is_51 = write_address[11:2] == 10'd51;
+    wire shaped_either_2 = shaped_either | write_address_11_2_is_50 | write_address_11_2_is_51;
+    wire write_address_11_2_is_52 = write_address[11:2] == 10'd52;
+    wire write_address_11_2_is_53 = write_address[11:2] == 10'd53;
+    wire shaped_either_3 = shaped_either_2 | write_address_11_2_is_52 | write_address_11_2_is_53;
+    wire write_address_11_2_is_58 = write_address[11:2] == 10'd58;
+    wire write_address_11_2_is_64 = write_address[11:2] == 10'd64;
+    wire shaped_either_4 = shaped_either_3 | write_address_11_2_is_58 | write_address_11_2_is_64;
+    wire write_address_11_2_is_65 = write_address[11:2] == 10'd65;
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (shaped_either_4 | write_address_11_2_is_65);
+    wire idle_only_either = (write_address_11_2_is_1 & (write_data[0] | write_data[1])) | write_address_11_2_is_48;
+    wire idle_only_either_2 = idle_only_either | write_address_11_2_is_50 | write_address_11_2_is_51;
+    wire idle_only_either_3 = idle_only_either_2 | write_address_11_2_is_52 | write_address_11_2_is_53;
+    wire idle_only_either_4 = idle_only_either_3 | write_address_11_2_is_58 | write_address_11_2_is_64;
+    wire idle_only = idle_only_either_4 | write_address_11_2_is_65;
+    wire wants_start = write_address_11_2_is_1 & write_data[0];
+    wire blocked = (idle_only & busy) | (wants_start & occupied);
+    wire senseless_either = (write_address_11_2_is_48 & |write_data[11:0]) | (write_address_11_2_is_50 & |write_data[11:0]);
+    wire senseless_both = write_address_11_2_is_52 & ~((6'd1 <= write_data[5:0]) & ~(6'd33 <= write_data[5:0]));
+    wire senseless_either_2 = senseless_either | (wants_start & (queries_bits == 32'd0)) | senseless_both;
+    wire senseless_either_3 = senseless_either_2 | (write_address_11_2_is_53 & (32'h7f800001 <= write_data));
+    wire senseless = senseless_either_3 | (write_address_11_2_is_58 & ~(16'd1 <= write_data[15:0]));
+    wire write_accepted = judges & (shaped & ~(blocked | senseless));
+    wire commands = write_accepted & write_address_11_2_is_1;
+    wire starts = commands & write_data[0];
+    reg [5:0] found;
+    always @(*) begin
+        case (read_address[6:2])
+            5'd0: found = 6'd0;
+            5'd1: found = 6'd0;
+            5'd2: found = 6'd0;
+            5'd3: found = 6'd0;
+            5'd4: found = 6'd32;
+            5'd5: found = 6'd33;
+            5'd6: found = 6'd34;
+            5'd7: found = 6'd35;
+            5'd8: found = 6'd36;
+            5'd9: found = 6'd37;
+            5'd10: found = 6'd38;
+            5'd11: found = 6'd39;
+            5'd12: found = 6'd0;
+            5'd13: found = 6'd0;
+            5'd14: found = 6'd0;
+            5'd15: found = 6'd0;
+            5'd16: found = 6'd40;
+            5'd17: found = 6'd41;
+            5'd18: found = 6'd42;
+            5'd19: found = 6'd43;
+            5'd20: found = 6'd44;
+            5'd21: found = 6'd45;
+            5'd22: found = 6'd46;
+            5'd23: found = 6'd47;
+            5'd24: found = 6'd48;
+            5'd25: found = 6'd49;
+            5'd26: found = 6'd50;
+            5'd27: found = 6'd51;
+            5'd28: found = 6'd52;
+            5'd29: found = 6'd53;
+            5'd30: found = 6'd0;
+            default: found = 6'd0;
+        endcase
+    end
+    wire reads_counter = found[5] & (read_address[11:7] == 5'd0);
+    wire read_address_11_2_is_0 = read_address[11:2] == 10'd0;
+    wire read_address_11_2_is_2 = read_address[11:2] == 10'd2;
+    wire read_address_11_2_is_3 = read_address[11:2] == 10'd3;
+    wire refused_read_either = read_address_11_2_is_0 | read_address_11_2_is_2 | read_address_11_2_is_3;
+    wire read_address_11_2_is_48 = read_address[11:2] == 10'd48;
+    wire read_address_11_2_is_50 = read_address[11:2] == 10'd50;
+    wire refused_read_either_2 = refused_read_either | read_address_11_2_is_48 | read_address_11_2_is_50;
+    wire read_address_11_2_is_51 = read_address[11:2] == 10'd51;
+    wire read_address_11_2_is_52 = read_address[11:2] == 10'd52;
+    wire refused_read_either_3 = refused_read_either_2 | read_address_11_2_is_51 | read_address_11_2_is_52;
+    wire read_address_11_2_is_53 = read_address[11:2] == 10'd53;
+    wire read_address_11_2_is_58 = read_address[11:2] == 10'd58;
+    wire refused_read_either_4 = refused_read_either_3 | read_address_11_2_is_53 | read_address_11_2_is_58;
+    wire read_address_11_2_is_64 = read_address[11:2] == 10'd64;
+    wire read_address_11_2_is_65 = read_address[11:2] == 10'd65;
+    wire refused_read_either_5 = refused_read_either_4 | read_address_11_2_is_64 | read_address_11_2_is_65;
+    wire refused_read_both = (read_address[1:0] == 2'd0) & (refused_read_either_5 | reads_counter);
+    wire refused_read = has_read_address & ~refused_read_both;
+    wire asks = has_read_address & (reads_counter & ~refused_read);
+    wire answers = has_read_address & (~asks | read_valid);
+    wire refused_write = judges & (~shaped | (~blocked & senseless));
+    wire refused_busy = judges & (shaped & blocked);
+    wire error_either = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
+    wire error_either_2 = error_either | burst_error[1] | burst_error[2] | burst_error[3] | packet_error;
+    wire looks = ~adds;
+    wire turns_aside = asks & ~for_read;
+    wire visits_0 = looks & (visited == 5'd0);
+    wire [7:0] part_0_sum = {7'd0, refused_write} + {7'd0, refused_read};
+    wire visits_1 = looks & (visited == 5'd1);
+    wire [7:0] refused_busy_plus_busy_error = {7'd0, refused_busy} + {7'd0, busy_error};
+    wire visits_2 = looks & (visited == 5'd2);
+    wire [8:0] part_2_sum = {8'd0, burst_error[0]} + {8'd0, burst_error[1]} + {8'd0, burst_error[2]};
+    wire [8:0] part_2_sum_plus_burst_error_3 = part_2_sum + {8'd0, burst_error[3]};
+    wire visits_3 = looks & (visited == 5'd3);
+    wire visits_4 = looks & (visited == 5'd4);
+    wire [7:0] part_4_sum = {7'd0, memory_error[0]} + {7'd0, memory_error[1]};
+    wire visits_5 = looks & (visited == 5'd5);
+    wire visits_6 = looks & (visited == 5'd6);
+    wire packet_taken_and_busy = packet_taken & busy;
+    wire [6:0] part_6_bits = {6'd0, packet_taken_and_busy};
+    wire visits_7 = looks & (visited == 5'd7);
+    wire packet_sent_and_busy = packet_sent & busy;
+    wire [6:0] part_7_bits = {6'd0, packet_sent_and_busy};
+    wire visits_8 = looks & (visited == 5'd8);
+    wire event_node_and_busy = event_node & busy;
+    wire [6:0] part_8_bits = {6'd0, event_node_and_busy};
+    wire visits_9 = looks & (visited == 5'd9);
+    wire event_pop_and_busy = event_pop & busy;
+    wire [6:0] part_9_bits = {6'd0, event_pop_and_busy};
+    wire visits_10 = looks & (visited == 5'd10);
+    wire event_beat_and_busy = event_beat & busy;
+    wire [6:0] part_10_bits = {6'd0, event_beat_and_busy};
+    wire visits_11 = looks & (visited == 5'd11);
+    wire event_insert_and_busy = event_insert & busy;
+    wire [6:0] part_11_bits = {6'd0, event_insert_and_busy};
+    wire visits_12 = looks & (visited == 5'd12);
+    wire event_insert_wait_and_busy = event_insert_wait & busy;
+    wire [6:0] part_12_bits = {6'd0, event_insert_wait_and_busy};
+    wire visits_13 = looks & (visited == 5'd13);
+    wire event_thread_wait_and_busy = event_thread_wait & busy;
+    wire [6:0] part_13_bits = {6'd0, event_thread_wait_and_busy};
+    wire visits_14 = looks & (visited == 5'd14);
+    wire event_point_hit_and_busy = event_point_hit & busy;
+    wire [6:0] part_14_bits = {6'd0, event_point_hit_and_busy};
+    wire visits_15 = looks & (visited == 5'd15);
+    wire event_point_miss_and_busy = event_point_miss & busy;
+    wire [6:0] part_15_bits = {6'd0, event_point_miss_and_busy};
+    wire visits_16 = looks & (visited == 5'd16);
+    wire event_query_wait_and_busy = event_query_wait & busy;
+    wire [6:0] part_16_bits = {6'd0, event_query_wait_and_busy};
+    wire visits_17 = looks & (visited == 5'd17);
+    wire event_kernel_and_busy = event_kernel & busy;
+    wire [6:0] part_17_bits = {6'd0, event_kernel_and_busy};
+    wire visits_18 = looks & (visited == 5'd18);
+    wire event_kernel_wait_and_busy = event_kernel_wait & busy;
+    wire [6:0] part_18_bits = {6'd0, event_kernel_wait_and_busy};
+    wire visits_19 = looks & (visited == 5'd19);
+    wire event_again_and_busy = event_again & busy;
+    wire [6:0] part_19_bits = {6'd0, event_again_and_busy};
+    wire visits_20 = looks & (visited == 5'd20);
+    wire event_line_hit_and_busy = event_line_hit & busy;
+    wire [6:0] part_20_bits = {6'd0, event_line_hit_and_busy};
+    wire visits_21 = looks & (visited == 5'd21);
+    wire event_line_miss_and_busy = event_line_miss & busy;
+    wire [6:0] part_21_bits = {6'd0, event_line_miss_and_busy};
+    wire [8:0] part_choice = visited[1] ? {2'd0, part_21} : visited[0] ? {2'd0, part_21} : {2'd0, part_20};
+    wire [8:0] part_choice_2 = visited[1] ? (visited[0] ? {2'd0, part_19} : {2'd0, part_18}) : visited[0] ? {2'd0, part_17} : {2'd0, part_16};
+    wire [8:0] part_choice_3 = visited[3] ? {2'd0, part_21} : visited[2] ? part_choice : part_choice_2;
+    wire [8:0] part_choice_4 = visited[1] ? (visited[0] ? {2'd0, part_15} : {2'd0, part_14}) : visited[0] ? {2'd0, part_13} : {2'd0, part_12};
+    wire [8:0] part_choice_5 = visited[1] ? (visited[0] ? {2'd0, part_11} : {2'd0, part_10}) : visited[0] ? {2'd0, part_9} : {2'd0, part_8};
+    wire [8:0] part_choice_6 = visited[1] ? (visited[0] ? {2'd0, part_7} : {2'd0, part_6}) : visited[0] ? {2'd0, part_5} : {1'd0, part_4};
+    wire [8:0] part_choice_7 = visited[1] ? (visited[0] ? {2'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : {1'd0, part_0};
+    wire [8:0] part_choice_8 = visited[3] ? (visited[2] ? part_choice_4 : part_choice_5) : visited[2] ? part_choice_6 : part_choice_7;
+    wire is_void_choice = visited[1] ? (visited[0] ? void_19 : void_18) : visited[0] ? void_17 : void_16;
+    wire is_void_choice_2 = visited[2] ? (visited[1] ? void_21 : visited[0] ? void_21 : void_20) : is_void_choice;
+    wire is_void_choice_3 = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
+    wire is_void_choice_4 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire is_void_choice_5 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire is_void_choice_6 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire is_void_choice_7 = visited[3] ? (visited[2] ? is_void_choice_3 : is_void_choice_4) : visited[2] ? is_void_choice_5 : is_void_choice_6;
+    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {24'd0, part};
+    wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
+    wire [31:0] s_axil_rdata_either = ({32{read_address_11_2_is_0}} & 32'h50430c01) | ({32{read_address_11_2_is_2}} & {29'd0, error, done, busy});
+    wire [31:0] s_axil_rdata_either_2 = s_axil_rdata_either | ({32{read_address_11_2_is_3}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] s_axil_rdata_either_3 = s_axil_rdata_either_2 | ({32{read_address_11_2_is_48}} & {points_base_bits, 12'd0});
+    wire [31:0] s_axil_rdata_either_4 = s_axil_rdata_either_3 | ({32{read_address_11_2_is_50}} & {lines_base_bits, 12'd0});
+    wire [31:0] s_axil_rdata_either_5 = s_axil_rdata_either_4 | ({32{read_address_11_2_is_51}} & queries_bits);
+    wire [31:0] s_axil_rdata_either_6 = s_axil_rdata_either_5 | ({32{read_address_11_2_is_52}} & {26'd0, k_bits});
+    wire [31:0] s_axil_rdata_either_7 = s_axil_rdata_either_6 | ({32{read_address_11_2_is_53}} & radius2_bits);
+    wire [31:0] s_axil_rdata_either_8 = s_axil_rdata_either_7 | ({32{read_address_11_2_is_58}} & {16'd0, iterations_max_bits});
+    wire [31:0] s_axil_rdata_either_9 = s_axil_rdata_either_8 | ({32{read_address_11_2_is_64}} & setting_inverse_radius2_bits);
+    wire [31:0] s_axil_rdata_either_10 = s_axil_rdata_either_9 | ({32{read_address_11_2_is_65}} & setting_tolerance_bits);
+
+    assign s_axil_awready = ~has_address;
+    assign s_axil_wready = ~has_data;
+    assign s_axil_bresp = write_is_okay ? 2'd0 : 2'd2;
+    assign s_axil_arready = read_ready;
+    assign s_axil_rresp = read_is_error ? 2'd2 : 2'd0;
+    assign points_base = {points_base_bits, 12'd0};
+    assign lines_base = {lines_base_bits, 12'd0};
+    assign queries = queries_bits;
+    assign k = k_bits;
+    assign radius2 = radius2_bits;
+    assign iterations_max = iterations_max_bits;
+    assign setting_inverse_radius2 = setting_inverse_radius2_bits;
+    assign setting_tolerance = setting_tolerance_bits;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            has_address <= 1'd0;
+            has_data <= 1'd0;
+            s_axil_bvalid <= 1'd0;
+            busy <= 1'd0;
+            interrupt_enable_bits <= 1'd0;
+            points_base_bits <= 20'd0;
+            lines_base_bits <= 20'd0;
+            queries_bits <= 32'd0;
+            k_bits <= 6'd1;
+            radius2_bits <= 32'd0;
+            iterations_max_bits <= 16'd1;
+            setting_inverse_radius2_bits <= 32'd0;
+            setting_tolerance_bits <= 32'd0;
+            start <= 1'd0;
+            core_reset <= 1'd0;
+            clear_errors <= 1'd0;
+            aborts <= 1'd0;
+            done <= 1'd0;
+            has_read_address <= 1'd0;
+            error <= 1'd0;
+            adds <= 1'd0;
+            visited <= 5'd0;
+            part_0 <= 8'd0;
+            void_0 <= 1'd1;
+            part_1 <= 8'd0;
+            void_1 <= 1'd1;
+            part_2 <= 9'd0;
+            void_2 <= 1'd1;
+            part_3 <= 7'd0;
+            void_3 <= 1'd1;
+            part_4 <= 8'd0;
+            void_4 <= 1'd1;
+            part_5 <= 7'd0;
+            void_5 <= 1'd1;
+            part_6 <= 7'd0;
+            void_6 <= 1'd1;
+            part_7 <= 7'd0;
+            void_7 <= 1'd1;
+            part_8 <= 7'd0;
+            void_8 <= 1'd1;
+            part_9 <= 7'd0;
+            void_9 <= 1'd1;
+            part_10 <= 7'd0;
+            void_10 <= 1'd1;
+            part_11 <= 7'd0;
+            void_11 <= 1'd1;
+            part_12 <= 7'd0;
+            void_12 <= 1'd1;
+            part_13 <= 7'd0;
+            void_13 <= 1'd1;
+            part_14 <= 7'd0;
+            void_14 <= 1'd1;
+            part_15 <= 7'd0;
+            void_15 <= 1'd1;
+            part_16 <= 7'd0;
+            void_16 <= 1'd1;
+            part_17 <= 7'd0;
+            void_17 <= 1'd1;
+            part_18 <= 7'd0;
+            void_18 <= 1'd1;
+            part_19 <= 7'd0;
+            void_19 <= 1'd1;
+            part_20 <= 7'd0;
+            void_20 <= 1'd1;
+            part_21 <= 7'd0;
+            void_21 <= 1'd1;
+            round <= 5'd0;
+            for_read <= 1'd0;
+            read_valid <= 1'd0;
+            s_axil_rvalid <= 1'd0;
+            irq <= 1'd0;
+        end else begin
+            has_address <= has_address ? ~judges : s_axil_awvalid;
+            has_data <= has_data ? ~judges : s_axil_wvalid;
+            s_axil_bvalid <= judges | (s_axil_bvalid & ~s_axil_bready);
+            busy <= starts | (busy & ~finished);
+            start <= starts;
+            core_reset <= commands & write_data[1];
+            clear_errors <= commands & write_data[2];
+            aborts <= commands & write_data[3];
+            done <= ~starts & (done | (busy & finished));
+            has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
+            error <= error_either_2 | memory_error[0] | memory_error[1] | (error & ~clear_errors);
+            adds <= looks;
+            part_0 <= (visits_0 | clear_errors) ? part_0_sum : (part_0 + part_0_sum);
+            void_0 <= clear_errors | (void_0 & ~visits_0);
+            part_1 <= (visits_1 | clear_errors) ? refused_busy_plus_busy_error : (part_1 + refused_busy_plus_busy_error);
+            void_1 <= clear_errors | (void_1 & ~visits_1);
+            part_2 <= (visits_2 | clear_errors) ? part_2_sum_plus_burst_error_3 : (part_2 + part_2_sum_plus_burst_error_3);
+            void_2 <= clear_errors | (void_2 & ~visits_2);
+            part_3 <= (visits_3 | clear_errors) ? {6'd0, packet_error} : (part_3 + {6'd0, packet_error});
+            void_3 <= clear_errors | (void_3 & ~visits_3);
+            part_4 <= (visits_4 | clear_errors) ? part_4_sum : (part_4 + part_4_sum);
+            void_4 <= clear_errors | (void_4 & ~visits_4);
+            part_5 <= (visits_5 | start) ? {6'd0, busy} : (part_5 + {6'd0, busy});
+            void_5 <= start | (void_5 & ~visits_5);
+            part_6 <= (visits_6 | start) ? part_6_bits : (part_6 + part_6_bits);
+            void_6 <= start | (void_6 & ~visits_6);
+            part_7 <= (visits_7 | start) ? part_7_bits : (part_7 + part_7_bits);
+            void_7 <= start | (void_7 & ~visits_7);
+            part_8 <= (visits_8 | start) ? part_8_bits : (part_8 + part_8_bits);
+            void_8 <= start | (void_8 & ~visits_8);
+            part_9 <= (visits_9 | start) ? part_9_bits : (part_9 + part_9_bits);
+            void_9 <= start | (void_9 & ~visits_9);
+            part_10 <= (visits_10 | start) ? part_10_bits : (part_10 + part_10_bits);
+            void_10 <= start | (void_10 & ~visits_10);
+            part_11 <= (visits_11 | start) ? part_11_bits : (part_11 + part_11_bits);
+            void_11 <= start | (void_11 & ~visits_11);
+            part_12 <= (visits_12 | start) ? part_12_bits : (part_12 + part_12_bits);
+            void_12 <= start | (void_12 & ~visits_12);
+            part_13 <= (visits_13 | start) ? part_13_bits : (part_13 + part_13_bits);
+            void_13 <= start | (void_13 & ~visits_13);
+            part_14 <= (visits_14 | start) ? part_14_bits : (part_14 + part_14_bits);
+            void_14 <= start | (void_14 & ~visits_14);
+            part_15 <= (visits_15 | start) ? part_15_bits : (part_15 + part_15_bits);
+            void_15 <= start | (void_15 & ~visits_15);
+            part_16 <= (visits_16 | start) ? part_16_bits : (part_16 + part_16_bits);
+            void_16 <= start | (void_16 & ~visits_16);
+            part_17 <= (visits_17 | start) ? part_17_bits : (part_17 + part_17_bits);
+            void_17 <= start | (void_17 & ~visits_17);
+            part_18 <= (visits_18 | start) ? part_18_bits : (part_18 + part_18_bits);
+            void_18 <= start | (void_18 & ~visits_18);
+            part_19 <= (visits_19 | start) ? part_19_bits : (part_19 + part_19_bits);
+            void_19 <= start | (void_19 & ~visits_19);
+            part_20 <= (visits_20 | start) ? part_20_bits : (part_20 + part_20_bits);
+            void_20 <= start | (void_20 & ~visits_20);
+            part_21 <= (visits_21 | start) ? part_21_bits : (part_21 + part_21_bits);
+            void_21 <= start | (void_21 & ~visits_21);
+            read_valid <= adds & for_read;
+            s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
+            irq <= done & interrupt_enable_bits;
+            if (write_accepted & write_address_11_2_is_3) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & write_address_11_2_is_48) points_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_50) lines_base_bits <= write_data[31:12];
+            if (write_accepted & write_address_11_2_is_51) queries_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_52) k_bits <= write_data[5:0];
+            if (write_accepted & write_address_11_2_is_53) radius2_bits <= write_data;
+            if (write_accepted & write_address_11_2_is_58) begin
+                iterations_max_bits <= write_data[15:0];
+            end
+            if (write_accepted & write_address_11_2_is_64) begin
+                setting_inverse_radius2_bits <= write_data;
+            end
+            if (write_accepted & write_address_11_2_is_65) setting_tolerance_bits <= write_data;
+            if (adds) begin
+                visited <= turns_aside ? found[4:0] : round;
+                for_read <= turns_aside;
+            end
+            if (adds & ~turns_aside) round <= (round == 5'd21) ? 5'd0 : (round + 5'd1);
+        end
+    end
+    always @(posedge clk) begin
+        if (~has_address) write_address <= s_axil_awaddr;
+        if (~has_data) begin
+            write_data <= s_axil_wdata;
+            write_strobes <= &s_axil_wstrb;
+        end
+        if (judges) write_is_okay <= write_accepted;
+        if (read_ready) read_address <= s_axil_araddr;
+        part <= visited[4] ? part_choice_3 : part_choice_8;
+        is_void <= visited[4] ? (visited[3] ? void_21 : is_void_choice_2) : is_void_choice_7;
+        read_value <= saturated;
+        if (answers) begin
+            s_axil_rdata <= asks ? read_value : (s_axil_rdata_either_10 & {32{~refused_read}});
+            read_is_error <= refused_read;
+        end
+    end
+    always @(posedge clk) begin
+        if (adds) words[visited] <= saturated;
+        word <= words[visited];
+    end
+
+`ifdef RTL_ASSERT
+    wire [8:0] part_0_plus_part_0_sum = {1'd0, part_0} + {1'd0, part_0_sum};
+    wire [8:0] check_sum = {1'd0, part_1} + {1'd0, refused_busy_plus_busy_error};
+    wire [9:0] check_sum_2 = {1'd0, part_2} + {1'd0, part_2_sum_plus_burst_error_3};
+    wire [7:0] part_3_plus_packet_error = {1'd0, part_3} + {7'd0, packet_error};
+    wire [8:0] part_4_plus_part_4_sum = {1'd0, part_4} + {1'd0, part_4_sum};
+    wire [7:0] part_5_plus_busy = {1'd0, part_5} + {7'd0, busy};
+    wire [7:0] check_sum_3 = {1'd0, part_6} + {7'd0, packet_taken_and_busy};
+    wire [7:0] check_sum_4 = {1'd0, part_7} + {7'd0, packet_sent_and_busy};
+    wire [7:0] check_sum_5 = {1'd0, part_8} + {7'd0, event_node_and_busy};
+    wire [7:0] part_9_plus_event_pop_and_busy = {1'd0, part_9} + {7'd0, event_pop_and_busy};
+    wire [7:0] check_sum_6 = {1'd0, part_10} + {7'd0, event_beat_and_busy};
+    wire [7:0] check_sum_7 = {1'd0, part_11} + {7'd0, event_insert_and_busy};
+    wire [7:0] check_sum_8 = {1'd0, part_12} + {7'd0, event_insert_wait_and_busy};
+    wire [7:0] check_sum_9 = {1'd0, part_13} + {7'd0, event_thread_wait_and_busy};
+    wire [7:0] check_sum_10 = {1'd0, part_14} + {7'd0, event_point_hit_and_busy};
+    wire [7:0] check_sum_11 = {1'd0, part_15} + {7'd0, event_point_miss_and_busy};
+    wire [7:0] check_sum_12 = {1'd0, part_16} + {7'd0, event_query_wait_and_busy};
+    wire [7:0] check_sum_13 = {1'd0, part_17} + {7'd0, event_kernel_and_busy};
+    wire [7:0] check_sum_14 = {1'd0, part_18} + {7'd0, event_kernel_wait_and_busy};
+    wire [7:0] check_sum_15 = {1'd0, part_19} + {7'd0, event_again_and_busy};
+    wire [7:0] check_sum_16 = {1'd0, part_20} + {7'd0, event_line_hit_and_busy};
+    wire [7:0] check_sum_17 = {1'd0, part_21} + {7'd0, event_line_miss_and_busy};
+
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        part_0_has_room: assert (~part_0_plus_part_0_sum[8]);
+        part_1_has_room: assert (~check_sum[8]);
+        part_2_has_room: assert (~check_sum_2[9]);
+        part_3_has_room: assert (~part_3_plus_packet_error[7]);
+        part_4_has_room: assert (~part_4_plus_part_4_sum[8]);
+        part_5_has_room: assert (~part_5_plus_busy[7]);
+        part_6_has_room: assert (~check_sum_3[7]);
+        part_7_has_room: assert (~check_sum_4[7]);
+        part_8_has_room: assert (~check_sum_5[7]);
+        part_9_has_room: assert (~part_9_plus_event_pop_and_busy[7]);
+        part_10_has_room: assert (~check_sum_6[7]);
+        part_11_has_room: assert (~check_sum_7[7]);
+        part_12_has_room: assert (~check_sum_8[7]);
+        part_13_has_room: assert (~check_sum_9[7]);
+        part_14_has_room: assert (~check_sum_10[7]);
+        part_15_has_room: assert (~check_sum_11[7]);
+        part_16_has_room: assert (~check_sum_12[7]);
+        part_17_has_room: assert (~check_sum_13[7]);
+        part_18_has_room: assert (~check_sum_14[7]);
+        part_19_has_room: assert (~check_sum_15[7]);
+        part_20_has_room: assert (~check_sum_16[7]);
+        part_21_has_room: assert (~check_sum_17[7]);
+`else
+        if (!(~part_0_plus_part_0_sum[8])) begin
+            $display("assertion failed: part_0_has_room in %m"); $stop;
+        end
+        if (!(~check_sum[8])) begin $display("assertion failed: part_1_has_room in %m"); $stop; end
+        if (!(~check_sum_2[9])) begin $display("assertion failed: part_2_has_room in %m"); $stop; end
+        if (!(~part_3_plus_packet_error[7])) begin
+            $display("assertion failed: part_3_has_room in %m"); $stop;
+        end
+        if (!(~part_4_plus_part_4_sum[8])) begin
+            $display("assertion failed: part_4_has_room in %m"); $stop;
+        end
+        if (!(~part_5_plus_busy[7])) begin
+            $display("assertion failed: part_5_has_room in %m"); $stop;
+        end
+        if (!(~check_sum_3[7])) begin $display("assertion failed: part_6_has_room in %m"); $stop; end
+        if (!(~check_sum_4[7])) begin $display("assertion failed: part_7_has_room in %m"); $stop; end
+        if (!(~check_sum_5[7])) begin $display("assertion failed: part_8_has_room in %m"); $stop; end
+        if (!(~part_9_plus_event_pop_and_busy[7])) begin
+            $display("assertion failed: part_9_has_room in %m"); $stop;
+        end
+        if (!(~check_sum_6[7])) begin $display("assertion failed: part_10_has_room in %m"); $stop; end
+        if (!(~check_sum_7[7])) begin $display("assertion failed: part_11_has_room in %m"); $stop; end
+        if (!(~check_sum_8[7])) begin $display("assertion failed: part_12_has_room in %m"); $stop; end
+        if (!(~check_sum_9[7])) begin $display("assertion failed: part_13_has_room in %m"); $stop; end
+        if (!(~check_sum_10[7])) begin $display("assertion failed: part_14_has_room in %m"); $stop; end
+        if (!(~check_sum_11[7])) begin $display("assertion failed: part_15_has_room in %m"); $stop; end
+        if (!(~check_sum_12[7])) begin $display("assertion failed: part_16_has_room in %m"); $stop; end
+        if (!(~check_sum_13[7])) begin $display("assertion failed: part_17_has_room in %m"); $stop; end
+        if (!(~check_sum_14[7])) begin $display("assertion failed: part_18_has_room in %m"); $stop; end
+        if (!(~check_sum_15[7])) begin $display("assertion failed: part_19_has_room in %m"); $stop; end
+        if (!(~check_sum_16[7])) begin $display("assertion failed: part_20_has_room in %m"); $stop; end
+        if (!(~check_sum_17[7])) begin $display("assertion failed: part_21_has_room in %m"); $stop; end
+`endif
+    end
+
+    wire _unused_by_checks = &{
+        1'b0, check_sum[7:0], check_sum_10[6:0], check_sum_11[6:0], check_sum_12[6:0], check_sum_13[6:0],
+        check_sum_14[6:0], check_sum_15[6:0], check_sum_16[6:0], check_sum_17[6:0], check_sum_2[8:0],
+        check_sum_3[6:0], check_sum_4[6:0], check_sum_5[6:0], check_sum_6[6:0], check_sum_7[6:0],
+        check_sum_8[6:0], check_sum_9[6:0], part_0_plus_part_0_sum[7:0], part_3_plus_packet_error[6:0],
+        part_4_plus_part_4_sum[7:0], part_5_plus_busy[6:0], part_9_plus_event_pop_and_busy[6:0]
+    };
+`endif
+endmodule

@@ -1,0 +1,904 @@
+// Written by pointcore 0.1.0; do not edit.
+// Plays a script at the ports of points_axi, with models of the buses around it that pause, and compares every answer with what
+// the contract and the bit-exact model say. For Verilator, whose registers start at random values.
+
+// verilator lint_off WIDTH
+// verilator lint_off UNUSED
+// verilator lint_off BLKSEQ
+
+// Offers items on a channel: with pauses, and with noise where nothing is offered.
+module axi_test_source #(parameter WIDTH = 1, parameter [31:0] SEED = 1) (
+    input  wire clk, input wire rst,
+    input  wire [7:0] share,  // Of 256 cycles, those that pause; 255 holds everything back.
+    input  wire available, input wire [WIDTH-1:0] item,
+    output wire take,  // The item goes on offer.
+    output reg  valid, input wire ready, output reg [WIDTH-1:0] payload
+);
+    localparam WORDS = (WIDTH + 31) / 32;
+    reg [31:0] random = SEED;
+    wire [31:0] random_1 = random ^ (random << 13);
+    wire [31:0] random_2 = random_1 ^ (random_1 >> 17);
+    wire [32*WORDS-1:0] noise = {WORDS{random}};
+    wire pauses = share != 8'd0 && random[7:0] <= share;
+    assign take = !rst && available && !pauses && (!valid || ready);
+
+    always @(posedge clk) begin
+        random <= random_2 ^ (random_2 << 5);
+        if (rst) valid <= 1'b0;
+        else if (!valid || ready) begin
+            if (ready === 1'bx) $fatal(1, "FAILED: %m: ready is unknown");
+            valid <= take;
+            payload <= take ? item : noise[WIDTH-1:0];
+        end
+    end
+endmodule
+
+// Takes what a channel offers, with pauses; what is on offer must stay until it is taken.
+module axi_test_sink #(parameter WIDTH = 1, parameter [31:0] SEED = 1) (
+    input  wire clk, input wire rst,
+    input  wire [7:0] share,
+    input  wire valid, output reg ready, input wire [WIDTH-1:0] payload,
+    output wire moves  // What is on offer is taken.
+);
+    reg [31:0] random = SEED;
+    wire [31:0] random_1 = random ^ (random << 13);
+    wire [31:0] random_2 = random_1 ^ (random_1 >> 17);
+    reg was_reset = 1'b0;
+    reg waits = 1'b0;
+    reg [WIDTH-1:0] offered;
+    assign moves = valid && ready && !rst;
+
+    initial ready = 1'b0;
+    always @(posedge clk) begin
+        random <= random_2 ^ (random_2 << 5);
+        ready <= share == 8'd0 || random[7:0] > share;
+        was_reset <= rst;
+        waits <= valid && !ready && !rst;
+        offered <= payload;
+        if (was_reset && valid !== 1'b0) $fatal(1, "FAILED: %m: valid during reset");
+        if (!rst && (valid === 1'bx || (valid && ^payload === 1'bx))) $fatal(1, "FAILED: %m: unknown values are offered");
+        if (!rst && waits && (!valid || payload !== offered)) $fatal(1, "FAILED: %m: an offer was withdrawn or changed");
+    end
+endmodule
+
+// Memory that is read: takes bursts, and gives their beats late, in their order. Spoils answers where it is told to, and counts that.
+module axi_test_reads #(parameter BITS = 64, parameter [31:0] SEED = 1) (
+    input  wire clk, input wire rst,
+    input  wire [7:0] address_share, input wire [7:0] data_share,
+    input  wire [7:0] delay,  // Bits of the random number of cycles before a burst.
+    input  wire [7:0] error_share, input wire [7:0] misplaced_share,  // Of 256 beats, those that are spoilt.
+    input  wire [31:0] unasked,  // Beats that nobody asked for, so far.
+    input  wire arvalid, output wire arready, input wire [3:0] arid, input wire [31:0] araddr,
+    input  wire [7:0] arlen, input wire [2:0] arsize, input wire [1:0] arburst,
+    output wire rvalid, input wire rready, output wire [3:0] rid, output wire [BITS-1:0] rdata,
+    output wire [1:0] rresp, output wire rlast,
+    output wire asks,  // A burst is asked for.
+    output wire gives, output wire [31:0] address, input wire [BITS-1:0] data,  // The beat that is given.
+    output wire idle,
+    output reg  [31:0] errors, output reg [31:0] misplaced, output reg [31:0] beats
+);
+    localparam BYTES = BITS / 8;
+    localparam BURSTS_MAX = 16;
+    reg [31:0] burst_address [0:31];
+    integer burst_beats [0:31];
+    integer asked = 0;
+    integer given = 0;
+    integer beat = 0;
+    integer waiting = 0;
+    integer unasked_given = 0;
+    reg is_wrong = 1'b0;
+    reg [31:0] random = ~SEED;
+    wire [31:0] random_1 = random ^ (random << 13);
+    wire [31:0] random_2 = random_1 ^ (random_1 >> 17);
+
+    wire stray = unasked_given != unasked;
+    wire under_way = asked != given && waiting == 0;
+    wire at_end = beat + 1 == burst_beats[given & 31];
+    wire spoils_response = error_share != 8'd0 && random[15:8] <= error_share;
+    wire spoils_last = misplaced_share != 8'd0 && random[23:16] <= misplaced_share;
+    wire take;
+    assign gives = take && !stray;
+    assign address = burst_address[given & 31] + beat * BYTES;
+    assign idle = asked == given && !rvalid && !stray;
+
+    axi_test_sink #(.WIDTH(49), .SEED(SEED + 32'd7)) addresses (
+        .clk(clk), .rst(rst), .share(address_share), .valid(arvalid), .ready(arready),
+        .payload({arid, araddr, arlen, arsize, arburst}), .moves(asks)
+    );
+    axi_test_source #(.WIDTH(BITS + 7), .SEED(SEED + 32'd9)) answers (
+        .clk(clk), .rst(rst), .share(data_share), .available(stray || under_way),
+        .item({4'd0, stray ? ~data : data, spoils_response ? {1'b1, random[24]} : 2'd0, at_end ^ spoils_last}),
+        .take(take), .valid(rvalid), .ready(rready), .payload({rid, rdata, rresp, rlast})
+    );
+
+    initial begin errors = 0; misplaced = 0; beats = 0; end
+    always @(posedge clk) begin
+        random <= random_2 ^ (random_2 << 5);
+        if (rst) begin
+            asked <= 0;
+            given <= 0;
+            beat <= 0;
+        end else if (asks) begin
+            if (arid != 4'd0 || arsize != $clog2(BYTES) || arburst != 2'd1) $fatal(1, "FAILED: %m: no plain burst");
+            if (araddr % BYTES != 0 || araddr[11:0] + (arlen + 1) * BYTES > 4096)
+                $fatal(1, "FAILED: %m: a burst of %0d beats at %h", arlen + 1, araddr);
+            if (asked - given >= BURSTS_MAX) $fatal(1, "FAILED: %m: too many bursts under way");
+            burst_address[asked & 31] <= araddr;
+            burst_beats[asked & 31] <= arlen + 1;
+            asked <= asked + 1;
+        end
+        if (waiting != 0) waiting <= waiting - 1;
+        if (take) begin
+            if (spoils_response) errors <= errors + 1;
+            if (stray) begin
+                unasked_given <= unasked_given + 1;
+                misplaced <= misplaced + 1;
+            end else begin
+                beats <= beats + 1;
+                beat <= at_end ? 0 : beat + 1;
+                is_wrong <= !at_end && (is_wrong || spoils_last);
+                if (at_end) begin
+                    given <= given + 1;
+                    waiting <= random[31:24] & delay;
+                    if (is_wrong || spoils_last) misplaced <= misplaced + 1;
+                end
+            end
+        end
+    end
+endmodule
+
+module points_axi_test;
+    localparam WORDS = 11269;
+    localparam [31:0] MAGIC = 32'h5043a71e;
+    localparam FILE = "points_axi_test.hex";
+    localparam STREAM_BITS = 64, MEMORY_BITS = 64, PACKET_WORDS = 10, EVENTS = 14;
+    localparam [31:0] NUMBER_MASK = 32'hffffff, END_MASK = 32'h0;
+    wire s_axil_awvalid;
+    wire s_axil_awready;
+    wire [11:0] s_axil_awaddr;
+    wire s_axil_wvalid;
+    wire s_axil_wready;
+    wire [31:0] s_axil_wdata;
+    wire [3:0] s_axil_wstrb;
+    wire s_axil_bvalid;
+    wire s_axil_bready;
+    wire [1:0] s_axil_bresp;
+    wire s_axil_arvalid;
+    wire s_axil_arready;
+    wire [11:0] s_axil_araddr;
+    wire s_axil_rvalid;
+    wire s_axil_rready;
+    wire [31:0] s_axil_rdata;
+    wire [1:0] s_axil_rresp;
+    wire send_tvalid;
+    wire send_tready;
+    wire [63:0] send_tdata;
+    wire send_tlast;
+    wire receive_tvalid;
+    wire receive_tready;
+    wire [63:0] receive_tdata;
+    wire receive_tlast;
+    wire m_axi_arvalid;
+    wire m_axi_arready;
+    wire [3:0] m_axi_arid;
+    wire [31:0] m_axi_araddr;
+    wire [7:0] m_axi_arlen;
+    wire [2:0] m_axi_arsize;
+    wire [1:0] m_axi_arburst;
+    wire m_axi_rvalid;
+    wire m_axi_rready;
+    wire [3:0] m_axi_rid;
+    wire [63:0] m_axi_rdata;
+    wire [1:0] m_axi_rresp;
+    wire m_axi_rlast;
+    wire s_axi_awvalid;
+    wire s_axi_awready;
+    wire [3:0] s_axi_awid;
+    wire [31:0] window_awaddr;
+    wire [7:0] s_axi_awlen;
+    wire [2:0] s_axi_awsize;
+    wire [1:0] s_axi_awburst;
+    wire s_axi_wvalid;
+    wire s_axi_wready;
+    wire [63:0] s_axi_wdata;
+    wire [7:0] s_axi_wstrb;
+    wire s_axi_wlast;
+    wire s_axi_bvalid;
+    wire s_axi_bready;
+    wire [3:0] s_axi_bid;
+    wire [1:0] s_axi_bresp;
+    wire s_axi_arvalid;
+    wire s_axi_arready;
+    wire [3:0] s_axi_arid;
+    wire [31:0] window_araddr;
+    wire [7:0] s_axi_arlen;
+    wire [2:0] s_axi_arsize;
+    wire [1:0] s_axi_arburst;
+    wire s_axi_rvalid;
+    wire s_axi_rready;
+    wire [3:0] s_axi_rid;
+    wire [63:0] s_axi_rdata;
+    wire [1:0] s_axi_rresp;
+    wire s_axi_rlast;
+    wire m_axi_line_arvalid;
+    wire m_axi_line_arready;
+    wire [3:0] m_axi_line_arid;
+    wire [31:0] m_axi_line_araddr;
+    wire [7:0] m_axi_line_arlen;
+    wire [2:0] m_axi_line_arsize;
+    wire [1:0] m_axi_line_arburst;
+    wire m_axi_line_rvalid;
+    wire m_axi_line_rready;
+    wire [3:0] m_axi_line_rid;
+    wire [63:0] m_axi_line_rdata;
+    wire [1:0] m_axi_line_rresp;
+    wire m_axi_line_rlast;
+    wire irq;
+    wire something_moves, memory_idle;
+    wire [31:0] all_memory_errors, all_misplaced;
+    wire [EVENTS-1:0] events;
+
+    // Channels, as pauses are told by.
+    localparam AW = 0, W = 1, B = 2, AR = 3, R = 4, SEND = 5, RECEIVE = 6, READ_ADDRESS = 7, READ_DATA = 8;
+    localparam WINDOW_AW = 9, WINDOW_W = 10, WINDOW_B = 11, WINDOW_AR = 12, WINDOW_R = 13, TREE_ADDRESS = 14, TREE_DATA = 15;
+    localparam WRITE_ADDRESS = 16, WRITE_DATA = 17, WRITE_ANSWER = 18, CHANNELS = 19;
+    // Cycles in which nothing moves before the test counts as stuck, and reads of `status` that find a run under way.
+    localparam STUCK_CYCLES = 60000;
+    localparam STUCK_POLLS = 20000;
+
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg [31:0] words [0:WORDS-1];
+    reg [7:0] share [0:CHANNELS-1];
+    reg [7:0] delay = 8'd0;
+    reg [7:0] error_share = 8'd0;
+    reg [7:0] misplaced_share = 8'd0;
+    reg [7:0] answer_error_share = 8'd0;
+    reg [31:0] unasked [0:1];
+    reg [31:0] image [0:1];
+    integer still = 0;
+    reg waits_by_script = 1'b0;
+    integer at = 0;
+
+    always #5 clk = !clk;
+
+    always @(posedge clk) begin
+        still <= something_moves ? 0 : still + 1;
+        if (still > STUCK_CYCLES) $fatal(1, "FAILED: nothing has moved for %0d cycles, at word %0d of the script", still, at);
+    end
+
+    // The host at the registers: accesses wait in queues; answers must be as the script has them.
+    reg [11:0] write_address [0:63];
+    reg [35:0] write_data [0:63];
+    reg [2:0] write_answer [0:63];  // Whether a run begins; the response.
+    reg [11:0] read_address [0:63];
+    reg [9:0] read_answer [0:63];  // What is expected: any value, a counter of the bench's and which; the response.
+    reg [31:0] read_value [0:63];
+    integer writes_asked = 0, writes_addressed = 0, writes_given = 0, writes_answered = 0;
+    integer reads_asked = 0, reads_addressed = 0, reads_answered = 0;
+    integer addresses_moved = 0, data_moved = 0, read_addresses_moved = 0;
+    reg [31:0] last_value = 32'd0;
+    wire aw_take, w_take, ar_take, b_moves, r_moves;
+    wire [2:0] expected_answer = write_answer[writes_answered & 63];
+    wire [9:0] expected_kind = read_answer[reads_answered & 63];
+    reg [31:0] expected_value;
+
+    axi_test_source #(.WIDTH(12), .SEED(32'h1001)) aw (
+        .clk(clk), .rst(rst), .share(share[AW]), .available(writes_addressed != writes_asked),
+        .item(write_address[writes_addressed & 63]), .take(aw_take), .valid(s_axil_awvalid), .ready(s_axil_awready),
+        .payload(s_axil_awaddr)
+    );
+    axi_test_source #(.WIDTH(36), .SEED(32'h2002)) w (
+        .clk(clk), .rst(rst), .share(share[W]), .available(writes_given != writes_asked), .item(write_data[writes_given & 63]),
+        .take(w_take), .valid(s_axil_wvalid), .ready(s_axil_wready), .payload({s_axil_wstrb, s_axil_wdata})
+    );
+    axi_test_sink #(.WIDTH(2), .SEED(32'h3003)) b (
+        .clk(clk), .rst(rst), .share(share[B]), .valid(s_axil_bvalid), .ready(s_axil_bready), .payload(s_axil_bresp),
+        .moves(b_moves)
+    );
+    axi_test_source #(.WIDTH(12), .SEED(32'h4004)) ar (
+        .clk(clk), .rst(rst), .share(share[AR]), .available(reads_addressed != reads_asked),
+        .item(read_address[reads_addressed & 63]), .take(ar_take), .valid(s_axil_arvalid), .ready(s_axil_arready),
+        .payload(s_axil_araddr)
+    );
+    axi_test_sink #(.WIDTH(34), .SEED(32'h5005)) r (
+        .clk(clk), .rst(rst), .share(share[R]), .valid(s_axil_rvalid), .ready(s_axil_rready),
+        .payload({s_axil_rdata, s_axil_rresp}), .moves(r_moves)
+    );
+
+    always @(posedge clk) begin
+        if (aw_take) writes_addressed <= writes_addressed + 1;
+        if (w_take) writes_given <= writes_given + 1;
+        if (ar_take) reads_addressed <= reads_addressed + 1;
+        if (!rst && s_axil_awvalid && s_axil_awready) addresses_moved <= addresses_moved + 1;
+        if (!rst && s_axil_wvalid && s_axil_wready) data_moved <= data_moved + 1;
+        if (!rst && s_axil_arvalid && s_axil_arready) read_addresses_moved <= read_addresses_moved + 1;
+        if (!rst && s_axil_bvalid && (writes_answered >= addresses_moved || writes_answered >= data_moved))
+            $fatal(1, "FAILED: an answer to no write");
+        if (!rst && s_axil_rvalid && reads_answered >= read_addresses_moved) $fatal(1, "FAILED: an answer to no read");
+        if (b_moves) begin
+            writes_answered <= writes_answered + 1;
+            if (s_axil_bresp !== expected_answer[1:0])
+                $fatal(1, "FAILED: write %0d, to %h, is answered %0d, not %0d; word %0d", writes_answered,
+                    write_address[writes_answered & 63], s_axil_bresp, expected_answer[1:0], at);
+        end
+        if (r_moves) begin
+            reads_answered <= reads_answered + 1;
+            last_value <= s_axil_rdata;
+            expected_value = read_value[reads_answered & 63] + (expected_kind[2] ? counted(expected_kind[9:4]) : 32'd0);
+            if (s_axil_rresp !== expected_kind[1:0] || (!expected_kind[3] && s_axil_rdata !== expected_value))
+                $fatal(1, "FAILED: read %0d, of %h, is answered %0d with %h, not %0d with %h; word %0d", reads_answered,
+                    read_address[reads_answered & 63], s_axil_rresp, s_axil_rdata, expected_kind[1:0], expected_value, at);
+        end
+    end
+
+    // The run under way. What a start does shows with its answer; `irq` rises two cycles after the last cycle of a run.
+    reg in_run = 1'b0;
+    reg [1:0] in_run_before = 2'd0;
+    reg saw_answer = 1'b0;
+    reg [EVENTS-1:0] events_1, events_2;
+    reg [31:0] event_count [0:EVENTS-1];
+    reg [31:0] run_cycles = 32'd0;
+    reg [31:0] packets_out = 32'd0;
+    wire begins_run = s_axil_bvalid && !saw_answer && expected_answer == 3'b100;
+    wire was_in_run = in_run_before[1];
+
+    always @(posedge clk) begin
+        saw_answer <= s_axil_bvalid && !s_axil_bready;
+        events_1 <= events;
+        events_2 <= events_1;
+        in_run_before <= {in_run_before[0], begins_run || in_run};
+        if (begins_run) begin
+            in_run <= 1'b1;
+            in_run_before <= 2'b01;
+            run_cycles <= 32'd0;
+            packets_out <= 32'd0;
+            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= 32'd0;
+        end else if (was_in_run) begin
+            run_cycles <= run_cycles + 32'd1;
+            for (int k = 0; k < EVENTS; k = k + 1) event_count[k] <= event_count[k] + {31'd0, events_2[k]};
+            if (irq) begin
+                in_run <= 1'b0;
+                in_run_before <= 2'b00;
+            end
+        end
+        if (received_packet) packets_out <= begins_run ? 32'd1 : packets_out + 32'd1;
+        if (rst) in_run <= 1'b0;
+    end
+
+    // A counter of the bench's.
+    function [31:0] counted(input [5:0] which);
+        case (which)
+            6'd0: counted = run_cycles;
+            6'd1: counted = packets_out;
+            6'd2: counted = memory_errors;
+            6'd3: counted = memory_misplaced;
+            default: counted = event_count[which - 6'd4];
+        endcase
+    endfunction
+
+    // Packets to the core.
+    integer packet_first [0:255];
+    integer packet_beats [0:255];
+    integer packets_asked = 0, packets_given = 0, packet_beat = 0, held_beat = 0;
+    reg holds = 1'b0;
+    wire send_take;
+    wire [STREAM_BITS-1:0] send_data;
+    wire send_last = packet_beat + 1 == packet_beats[packets_given & 255];
+    genvar part;
+    generate
+        for (part = 0; part < STREAM_BITS / 32; part = part + 1) begin : sent
+            assign send_data[32*part +: 32] = words[packet_first[packets_given & 255] + packet_beat * (STREAM_BITS / 32) + part];
+        end
+    endgenerate
+
+    axi_test_source #(.WIDTH(STREAM_BITS + 1), .SEED(32'h6006)) sends (
+        .clk(clk), .rst(rst), .share(share[SEND]), .available(packets_given != packets_asked && !(holds && packet_beat >= held_beat)),
+        .item({send_last, send_data}), .take(send_take), .valid(send_tvalid), .ready(send_tready),
+        .payload({send_tlast, send_tdata})
+    );
+    always @(posedge clk) if (send_take) begin
+        packet_beat <= send_last ? 0 : packet_beat + 1;
+        if (send_last) packets_given <= packets_given + 1;
+    end
+
+    // Packets from the core: those of a query in their order, queries in any order.
+    reg [31:0] answer_number [0:63];
+    integer answer_next [0:63];
+    integer answer_packets [0:63];
+    integer answers = 0, packets_left = 0, packets_received = 0, receive_beat = 0, found;
+    reg [32*PACKET_WORDS-1:0] packet;
+    reg received_packet = 1'b0;
+    reg closes;
+    reg [31:0] counts;
+    wire receive_moves;
+    localparam RECEIVE_BEATS = 32 * PACKET_WORDS / STREAM_BITS;
+
+    axi_test_sink #(.WIDTH(STREAM_BITS + 1), .SEED(32'h7007)) receives (
+        .clk(clk), .rst(rst), .share(share[RECEIVE]), .valid(receive_tvalid), .ready(receive_tready),
+        .payload({receive_tlast, receive_tdata}), .moves(receive_moves)
+    );
+
+    task compare;
+        begin
+            found = -1;
+            for (int k = 0; k < answers; k = k + 1)
+                if (answer_packets[k] != 0 && answer_number[k] == (packet[31:0] & NUMBER_MASK)) found = k;
+            if (found < 0) $fatal(1, "FAILED: a packet that must not come: %h", packet);
+            else begin
+                // Of the packet that closes a frame nothing else counts.
+                closes = (words[answer_next[found]] & END_MASK) != 0;
+                for (int k = 0; k < PACKET_WORDS; k = k + 1) begin
+                    counts = !closes ? ~32'd0 : k == 0 ? END_MASK : 32'd0;
+                    if (((packet[32*k +: 32] ^ words[answer_next[found] + k]) & counts) != 0)
+                        $fatal(1, "FAILED: word %0d of a packet is %h, not %h", k, packet[32*k +: 32], words[answer_next[found] + k]);
+                end
+                answer_next[found] = answer_next[found] + PACKET_WORDS;
+                answer_packets[found] = answer_packets[found] - 1;
+            end
+            packets_left = packets_left - 1;
+            packets_received = packets_received + 1;
+        end
+    endtask
+
+    always @(posedge clk) begin
+        received_packet <= receive_moves && receive_tlast;
+        if (receive_moves) begin
+            packet[receive_beat*STREAM_BITS +: STREAM_BITS] = receive_tdata;
+            if (receive_tlast != (receive_beat == RECEIVE_BEATS - 1)) $fatal(1, "FAILED: a packet of a wrong length");
+            receive_beat <= receive_tlast ? 0 : receive_beat + 1;
+            if (receive_tlast) compare;
+        end
+        if (rst) receive_beat <= 0;
+    end
+
+    // The host at the window: bursts wait in queues.
+    reg [48:0] burst_address [0:15];
+    integer burst_first [0:15];
+    reg [31:0] burst_bad_strobes [0:15], burst_bad_last [0:15];
+    reg [7:0] burst_strobes [0:15];
+    reg [1:0] burst_answer [0:15];
+    reg [48:0] burst_read [0:15];
+    integer bursts_asked = 0, bursts_addressed = 0, bursts_given = 0, bursts_answered = 0, burst_beat = 0;
+    integer bursts_read = 0, reads_begun = 0, reads_ended = 0, read_beat = 0;
+    integer bursts_moved = 0, bursts_ended = 0, burst_reads_moved = 0;
+    wire window_aw_take, window_w_take, window_ar_take, window_b_moves, window_r_moves;
+    wire [31:0] burst_bit = burst_beat < 32 ? 32'd1 << burst_beat : 32'd0;
+    wire burst_at_end = burst_beat == burst_address[bursts_given & 15][12:5];
+    wire [7:0] strobes = (burst_bad_strobes[bursts_given & 15] & burst_bit) != 0 ? burst_strobes[bursts_given & 15] : 8'hff;
+    wire burst_last = burst_at_end ^ ((burst_bad_last[bursts_given & 15] & burst_bit) != 0);
+    wire window_idle = bursts_answered == bursts_asked && reads_ended == bursts_read;
+
+    axi_test_source #(.WIDTH(49), .SEED(32'h8008)) window_aw (
+        .clk(clk), .rst(rst), .share(share[WINDOW_AW]), .available(bursts_addressed != bursts_asked),
+        .item(burst_address[bursts_addressed & 15]), .take(window_aw_take), .valid(s_axi_awvalid), .ready(s_axi_awready),
+        .payload({s_axi_awid, window_awaddr, s_axi_awlen, s_axi_awsize, s_axi_awburst})
+    );
+    axi_test_source #(.WIDTH(73), .SEED(32'h9009)) window_w (
+        .clk(clk), .rst(rst), .share(share[WINDOW_W]), .available(bursts_given != bursts_asked),
+        .item({words[burst_first[bursts_given & 15] + 2*burst_beat + 1], words[burst_first[bursts_given & 15] + 2*burst_beat], strobes, burst_last}),
+        .take(window_w_take), .valid(s_axi_wvalid), .ready(s_axi_wready), .payload({s_axi_wdata, s_axi_wstrb, s_axi_wlast})
+    );
+    axi_test_sink #(.WIDTH(6), .SEED(32'ha00a)) window_b (
+        .clk(clk), .rst(rst), .share(share[WINDOW_B]), .valid(s_axi_bvalid), .ready(s_axi_bready),
+        .payload({s_axi_bid, s_axi_bresp}), .moves(window_b_moves)
+    );
+    axi_test_source #(.WIDTH(49), .SEED(32'hb00b)) window_ar (
+        .clk(clk), .rst(rst), .share(share[WINDOW_AR]), .available(reads_begun != bursts_read),
+        .item(burst_read[reads_begun & 15]), .take(window_ar_take), .valid(s_axi_arvalid), .ready(s_axi_arready),
+        .payload({s_axi_arid, window_araddr, s_axi_arlen, s_axi_arsize, s_axi_arburst})
+    );
+    axi_test_sink #(.WIDTH(71), .SEED(32'hc00c)) window_r (
+        .clk(clk), .rst(rst), .share(share[WINDOW_R]), .valid(s_axi_rvalid), .ready(s_axi_rready),
+        .payload({s_axi_rid, s_axi_rdata, s_axi_rresp, s_axi_rlast}), .moves(window_r_moves)
+    );
+
+    always @(posedge clk) begin
+        if (window_aw_take) bursts_addressed <= bursts_addressed + 1;
+        if (!rst && s_axi_awvalid && s_axi_awready) bursts_moved <= bursts_moved + 1;
+        if (!rst && s_axi_arvalid && s_axi_arready) burst_reads_moved <= burst_reads_moved + 1;
+        if (window_ar_take) reads_begun <= reads_begun + 1;
+        if (window_w_take) begin
+            burst_beat <= burst_at_end ? 0 : burst_beat + 1;
+            if (burst_at_end) bursts_given <= bursts_given + 1;
+        end
+        if (!rst && s_axi_bvalid && bursts_answered >= bursts_moved) $fatal(1, "FAILED: an answer to no burst");
+        if (!rst && s_axi_rvalid && reads_ended >= burst_reads_moved) $fatal(1, "FAILED: an answer to no read burst");
+        if (window_b_moves) begin
+            bursts_answered <= bursts_answered + 1;
+            if ({s_axi_bid, s_axi_bresp} !== {burst_address[bursts_answered & 15][48:45], burst_answer[bursts_answered & 15]})
+                $fatal(1, "FAILED: burst %0d at %h is answered %0d, id %0d", bursts_answered, burst_address[bursts_answered & 15],
+                    s_axi_bresp, s_axi_bid);
+        end
+        if (window_r_moves) begin
+            if ({s_axi_rid, s_axi_rdata, s_axi_rresp} !== {burst_read[reads_ended & 15][48:45], 64'd0, 2'd2}
+                || s_axi_rlast !== (read_beat == burst_read[reads_ended & 15][12:5])) $fatal(1, "FAILED: the answer to a read burst");
+            read_beat <= s_axi_rlast ? 0 : read_beat + 1;
+            if (s_axi_rlast) reads_ended <= reads_ended + 1;
+        end
+    end
+
+    localparam ENTRIES_MAX = 1024;
+    // The beat of memory at an address, behind a bit that says whether there is any.
+    function [MEMORY_BITS:0] beat_at(input integer table_at, input [31:0] address);
+        integer entry, part_of, from;
+        begin
+            beat_at = 0;
+            for (entry = 0; entry < ENTRIES_MAX && entry < words[table_at]; entry = entry + 1) begin
+                from = table_at + 1 + 3 * entry;
+                if (address >= words[from] && address - words[from] < words[from + 1]) begin
+                    beat_at[MEMORY_BITS] = 1'b1;
+                    for (part_of = 0; part_of < MEMORY_BITS / 32; part_of = part_of + 1)
+                        beat_at[32*part_of +: 32] = words[words[from + 2] + (address - words[from]) / 4 + part_of];
+                end
+            end
+        end
+    endfunction
+
+    // What the core reads through m_axi.
+    wire m_axi_asks, m_axi_gives, m_axi_idle;
+    wire [31:0] m_axi_address, m_axi_errors, m_axi_misplaced, m_axi_beats;
+    wire [MEMORY_BITS:0] m_axi_beat = beat_at(image[0], m_axi_address);
+    axi_test_reads #(.BITS(MEMORY_BITS), .SEED(32'hd00d + 0)) m_axi_reads (
+        .clk(clk), .rst(rst), .address_share(share[READ_ADDRESS]), .data_share(share[READ_DATA]), .delay(delay),
+        .error_share(error_share), .misplaced_share(misplaced_share), .unasked(unasked[0]),
+        .arvalid(m_axi_arvalid), .arready(m_axi_arready), .arid(m_axi_arid), .araddr(m_axi_araddr), .arlen(m_axi_arlen),
+        .arsize(m_axi_arsize), .arburst(m_axi_arburst), .rvalid(m_axi_rvalid), .rready(m_axi_rready), .rid(m_axi_rid),
+        .rdata(m_axi_rdata), .rresp(m_axi_rresp), .rlast(m_axi_rlast), .asks(m_axi_asks), .gives(m_axi_gives),
+        .address(m_axi_address), .data(m_axi_beat[MEMORY_BITS-1:0]), .idle(m_axi_idle), .errors(m_axi_errors),
+        .misplaced(m_axi_misplaced), .beats(m_axi_beats)
+    );
+    always @(posedge clk) if (m_axi_gives && !m_axi_beat[MEMORY_BITS])
+        $fatal(1, "FAILED: m_axi reads %h, where there is nothing", m_axi_address);
+
+    // What the core reads through m_axi_line.
+    wire m_axi_line_asks, m_axi_line_gives, m_axi_line_idle;
+    wire [31:0] m_axi_line_address, m_axi_line_errors, m_axi_line_misplaced, m_axi_line_beats;
+    wire [MEMORY_BITS:0] m_axi_line_beat = beat_at(image[0], m_axi_line_address);
+    axi_test_reads #(.BITS(MEMORY_BITS), .SEED(32'hd00d + 0)) m_axi_line_reads (
+        .clk(clk), .rst(rst), .address_share(share[READ_ADDRESS]), .data_share(share[READ_DATA]), .delay(delay),
+        .error_share(error_share), .misplaced_share(misplaced_share), .unasked(unasked[0]),
+        .arvalid(m_axi_line_arvalid), .arready(m_axi_line_arready), .arid(m_axi_line_arid), .araddr(m_axi_line_araddr), .arlen(m_axi_line_arlen),
+        .arsize(m_axi_line_arsize), .arburst(m_axi_line_arburst), .rvalid(m_axi_line_rvalid), .rready(m_axi_line_rready), .rid(m_axi_line_rid),
+        .rdata(m_axi_line_rdata), .rresp(m_axi_line_rresp), .rlast(m_axi_line_rlast), .asks(m_axi_line_asks), .gives(m_axi_line_gives),
+        .address(m_axi_line_address), .data(m_axi_line_beat[MEMORY_BITS-1:0]), .idle(m_axi_line_idle), .errors(m_axi_line_errors),
+        .misplaced(m_axi_line_misplaced), .beats(m_axi_line_beats)
+    );
+    always @(posedge clk) if (m_axi_line_gives && !m_axi_line_beat[MEMORY_BITS])
+        $fatal(1, "FAILED: m_axi_line reads %h, where there is nothing", m_axi_line_address);
+
+    assign something_moves = b_moves || r_moves || send_take || receive_moves || waits_by_script || window_w_take || window_r_moves || m_axi_gives || m_axi_line_gives;
+    assign memory_idle = m_axi_idle && m_axi_line_idle;
+    assign all_memory_errors = m_axi_errors + m_axi_line_errors;
+    assign all_misplaced = m_axi_misplaced + m_axi_line_misplaced;
+
+    points_axi dut (
+        .clk(clk), .rst(rst),
+        .s_axil_awvalid(s_axil_awvalid),
+        .s_axil_awready(s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr),
+        .s_axil_wvalid(s_axil_wvalid),
+        .s_axil_wready(s_axil_wready),
+        .s_axil_wdata(s_axil_wdata),
+        .s_axil_wstrb(s_axil_wstrb),
+        .s_axil_bvalid(s_axil_bvalid),
+        .s_axil_bready(s_axil_bready),
+        .s_axil_bresp(s_axil_bresp),
+        .s_axil_arvalid(s_axil_arvalid),
+        .s_axil_arready(s_axil_arready),
+        .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(s_axil_rvalid),
+        .s_axil_rready(s_axil_rready),
+        .s_axil_rdata(s_axil_rdata),
+        .s_axil_rresp(s_axil_rresp),
+        .s_axis_query_tvalid(send_tvalid),
+        .s_axis_query_tready(send_tready),
+        .s_axis_query_tdata(send_tdata),
+        .s_axis_query_tlast(send_tlast),
+        .m_axis_result_tvalid(receive_tvalid),
+        .m_axis_result_tready(receive_tready),
+        .m_axis_result_tdata(receive_tdata),
+        .m_axis_result_tlast(receive_tlast),
+        .m_axi_arvalid(m_axi_arvalid),
+        .m_axi_arready(m_axi_arready),
+        .m_axi_arid(m_axi_arid),
+        .m_axi_araddr(m_axi_araddr),
+        .m_axi_arlen(m_axi_arlen),
+        .m_axi_arsize(m_axi_arsize),
+        .m_axi_arburst(m_axi_arburst),
+        .m_axi_rvalid(m_axi_rvalid),
+        .m_axi_rready(m_axi_rready),
+        .m_axi_rid(m_axi_rid),
+        .m_axi_rdata(m_axi_rdata),
+        .m_axi_rresp(m_axi_rresp),
+        .m_axi_rlast(m_axi_rlast),
+        .s_axi_awvalid(s_axi_awvalid),
+        .s_axi_awready(s_axi_awready),
+        .s_axi_awid(s_axi_awid),
+        .s_axi_awaddr(window_awaddr[17:0]),
+        .s_axi_awlen(s_axi_awlen),
+        .s_axi_awsize(s_axi_awsize),
+        .s_axi_awburst(s_axi_awburst),
+        .s_axi_wvalid(s_axi_wvalid),
+        .s_axi_wready(s_axi_wready),
+        .s_axi_wdata(s_axi_wdata),
+        .s_axi_wstrb(s_axi_wstrb),
+        .s_axi_wlast(s_axi_wlast),
+        .s_axi_bvalid(s_axi_bvalid),
+        .s_axi_bready(s_axi_bready),
+        .s_axi_bid(s_axi_bid),
+        .s_axi_bresp(s_axi_bresp),
+        .s_axi_arvalid(s_axi_arvalid),
+        .s_axi_arready(s_axi_arready),
+        .s_axi_arid(s_axi_arid),
+        .s_axi_araddr(window_araddr[17:0]),
+        .s_axi_arlen(s_axi_arlen),
+        .s_axi_arsize(s_axi_arsize),
+        .s_axi_arburst(s_axi_arburst),
+        .s_axi_rvalid(s_axi_rvalid),
+        .s_axi_rready(s_axi_rready),
+        .s_axi_rid(s_axi_rid),
+        .s_axi_rdata(s_axi_rdata),
+        .s_axi_rresp(s_axi_rresp),
+        .s_axi_rlast(s_axi_rlast),
+        .m_axi_line_arvalid(m_axi_line_arvalid),
+        .m_axi_line_arready(m_axi_line_arready),
+        .m_axi_line_arid(m_axi_line_arid),
+        .m_axi_line_araddr(m_axi_line_araddr),
+        .m_axi_line_arlen(m_axi_line_arlen),
+        .m_axi_line_arsize(m_axi_line_arsize),
+        .m_axi_line_arburst(m_axi_line_arburst),
+        .m_axi_line_rvalid(m_axi_line_rvalid),
+        .m_axi_line_rready(m_axi_line_rready),
+        .m_axi_line_rid(m_axi_line_rid),
+        .m_axi_line_rdata(m_axi_line_rdata),
+        .m_axi_line_rresp(m_axi_line_rresp),
+        .m_axi_line_rlast(m_axi_line_rlast),
+        .irq(irq)
+    );
+    assign events = {dut.core.event_line_miss, dut.core.event_line_hit, dut.core.event_again, dut.core.event_kernel_wait, dut.core.event_kernel, dut.core.event_query_wait, dut.core.event_point_miss, dut.core.event_point_hit, dut.core.event_thread_wait, dut.core.event_insert_wait, dut.core.event_insert, dut.core.event_beat, dut.core.event_pop, dut.core.event_node};
+
+    // The script. What it hands to the channels shows in the next cycle.
+    reg [31:0] word, value;
+    integer polls = 0;
+    integer packets_dropped = 0;
+    reg [31:0] errors_before = 32'd0, misplaced_before = 32'd0;
+    wire [31:0] memory_errors = all_memory_errors - errors_before;
+    wire [31:0] memory_misplaced = all_misplaced - misplaced_before;
+    wire registers_idle = writes_answered == writes_asked && reads_answered == reads_asked;
+    wire all_sent = packets_given == packets_asked && !send_tvalid;
+
+    // What the script hands over, and a clock later the channels have.
+    reg [7:0] mail = 8'd0;
+    reg [31:0] mail_word, mail_value;
+    reg [9:0] mail_answer;
+    integer mail_at;
+
+    always @(posedge clk) begin
+        case (mail)
+            8'd1: share[mail_word[15:8]] <= mail_word[23:16];
+            8'd3: begin
+                write_address[writes_asked & 63] <= mail_word[19:8];
+                write_data[writes_asked & 63] <= {mail_word[23:20], mail_value};
+                write_answer[writes_asked & 63] <= mail_word[26:24];
+                writes_asked <= writes_asked + 1;
+            end
+            8'd4: begin
+                read_address[reads_asked & 63] <= mail_word[19:8];
+                read_answer[reads_asked & 63] <= mail_answer;
+                read_value[reads_asked & 63] <= mail_value;
+                reads_asked <= reads_asked + 1;
+            end
+            8'd7: begin
+                packet_first[packets_asked & 255] <= mail_value;
+                packet_beats[packets_asked & 255] <= mail_word[31:8];
+                packets_asked <= packets_asked + 1;
+            end
+            8'd15: unasked[mail_word[8]] <= unasked[mail_word[8]] + mail_word[31:16];
+            8'd21: begin
+                image[0] <= words[mail_at];
+                image[1] <= words[mail_at + 1];
+            end
+            8'd32: begin
+                burst_address[bursts_asked & 15] <= {mail_word[11:8], words[mail_at], mail_word[19:12], mail_word[22:20], mail_word[24:23]};
+                burst_answer[bursts_asked & 15] <= mail_word[26:25];
+                burst_first[bursts_asked & 15] <= words[mail_at + 1];
+                burst_bad_strobes[bursts_asked & 15] <= words[mail_at + 2];
+                burst_bad_last[bursts_asked & 15] <= words[mail_at + 3];
+                burst_strobes[bursts_asked & 15] <= words[mail_at + 4];
+                bursts_asked <= bursts_asked + 1;
+            end
+            8'd33: begin
+                burst_read[bursts_read & 15] <= {mail_word[11:8], words[mail_at], mail_word[19:12], 3'd3, 2'd1};
+                bursts_read <= bursts_read + 1;
+            end
+            default: ;
+        endcase
+    end
+
+    task post(input [7:0] operation);
+        begin
+            mail <= operation;
+            @(negedge clk);
+            mail <= 8'd0;
+        end
+    endtask
+
+    task push_write(input [11:0] address, input [31:0] data, input [3:0] strb, input [2:0] answer);
+        begin
+            while (writes_asked - writes_answered >= 32) @(negedge clk);
+            mail_word <= {5'd0, answer, strb, address, 8'd3};
+            mail_value <= data;
+            post(8'd3);
+        end
+    endtask
+
+    task push_read(input [11:0] address, input [9:0] answer, input [31:0] expected);
+        begin
+            while (reads_asked - reads_answered >= 32) @(negedge clk);
+            mail_word <= {12'd0, address, 8'd4};
+            mail_answer <= answer;
+            mail_value <= expected;
+            post(8'd4);
+        end
+    endtask
+
+    // Hands the operation over as it is.
+    task pass;
+        begin
+            mail_word <= word;
+            mail_value <= value;
+            mail_at <= at;
+            post(word[7:0]);
+        end
+    endtask
+
+    task poll;
+        begin
+            push_read(12'h008, 10'b1000, 32'd0);
+            polls = polls + 1;
+            if (polls > STUCK_POLLS) $fatal(1, "FAILED: a run does not end");
+            settle;
+        end
+    endtask
+
+    // What was asked for in this cycle shows in the next.
+    task settle;
+        begin
+            @(negedge clk);
+            while (!registers_idle || !window_idle) @(negedge clk);
+        end
+    endtask
+
+    task next(output [31:0] operand);
+        begin
+            operand = words[at];
+            at = at + 1;
+        end
+    endtask
+
+    task step;
+        begin
+            next(word);
+            case (word[7:0])
+                8'd1: pass;  // Pauses of a channel.
+                8'd2: begin  // Wait.
+                    waits_by_script <= 1'b1;
+                    repeat (word[31:8]) @(negedge clk);
+                    waits_by_script <= 1'b0;
+                end
+                8'd3: begin  // Write.
+                    next(value);
+                    push_write(word[19:8], value, word[23:20], word[26:24]);
+                end
+                8'd4: begin  // Read.
+                    next(value);
+                    push_read(word[19:8], {6'd0, 2'b00, word[25:24]}, value);
+                end
+                8'd5: begin  // Read a counter that the bench counts, too; a number is added.
+                    next(value);
+                    push_read(word[19:8], {word[25:20], 4'b0100}, value);
+                end
+                8'd6: settle;
+                8'd7: begin  // Send a packet.
+                    next(value);
+                    while (packets_asked - packets_given >= 255) @(negedge clk);
+                    pass;
+                end
+                8'd8: begin  // Wait until all packets are taken.
+                    @(negedge clk);
+                    while (!all_sent) @(negedge clk);
+                end
+                8'd9: begin  // Expect packets; what is missing of those before will not come.
+                    packets_dropped = packets_dropped + packets_left;
+                    answers = word[31:8];
+                    packets_left = 0;
+                    for (int k = 0; k < answers; k = k + 1) begin
+                        answer_number[k] = words[at];
+                        answer_next[k] = words[at + 1];
+                        answer_packets[k] = words[at + 2];
+                        packets_left = packets_left + words[at + 2];
+                        at = at + 3;
+                    end
+                end
+                8'd10: while (packets_left > word[31:8]) @(negedge clk);
+                8'd11: while (!irq) @(negedge clk);
+                8'd12: begin  // Hold packets from a beat on.
+                    holds <= word[8];
+                    held_beat <= word[31:16];
+                end
+                8'd13: delay <= word[15:8];
+                8'd14: {answer_error_share, misplaced_share, error_share} <= word[31:8];
+                8'd15: begin  // Beats that nobody asked for.
+                    pass;
+                    @(negedge clk);
+                    while (!memory_idle) @(negedge clk);
+                end
+                8'd16: begin  // Wait for the end of a run by reading `status`.
+                    settle;
+                    poll;
+                    while (last_value[0]) poll;
+                end
+                8'd17: if (irq !== word[8]) $fatal(1, "FAILED: irq is %b; word %0d", irq, at);
+                8'd18: begin  // Reset.
+                    rst <= 1'b1;
+                    repeat (word[31:8]) @(negedge clk);
+                    rst <= 1'b0;
+                end
+                8'd19: begin  // Writes that are refused: from a word to another.
+                    next(value);
+                    for (int k = word[19:8]; k <= word[31:20]; k = k + 4) push_write(k, value, 4'hf, 3'd2);
+                end
+                8'd20: for (int k = word[19:8]; k <= word[31:20]; k = k + 4) push_read(k, 10'd2, 32'd0);
+                8'd21: begin  // Contents of memory.
+                    pass;
+                    at = at + 2;
+                end
+                8'd22: begin  // Nothing more may be offered or taken.
+                    settle;
+                    if (send_tready || packets_left != word[31:8] || !memory_idle) $fatal(1, "FAILED: something is left over; word %0d", at);
+                end
+                8'd23: begin  // Error counters have been cleared.
+                    errors_before <= all_memory_errors;
+                    misplaced_before <= all_misplaced;
+                end
+                8'd32: begin  // Write through the window.
+                    while (bursts_asked - bursts_answered >= 8) @(negedge clk);
+                    pass;
+                    at = at + 5;
+                end
+                8'd33: begin  // Read through the window.
+                    while (bursts_read - reads_ended >= 8) @(negedge clk);
+                    pass;
+                    at = at + 1;
+                end
+                default: $fatal(1, "FAILED: the script has no operation %0d at word %0d", word[7:0], at - 1);
+            endcase
+        end
+    endtask
+
+    always begin
+        for (int k = 0; k < CHANNELS; k = k + 1) share[k] = 8'd0;
+        for (int k = 0; k < 2; k = k + 1) begin
+            unasked[k] = 32'd0;
+            image[k] = 32'd0;
+        end
+        for (int k = 0; k < EVENTS; k = k + 1) event_count[k] = 32'd0;
+        $readmemh(FILE, words);
+        if (words[0] !== MAGIC) $fatal(1, "FAILED: %s is missing or another's", FILE);
+        at = words[1];
+        repeat (4) @(negedge clk);
+        rst = 1'b0;
+        @(negedge clk);
+        while (words[at] != 32'd0) begin
+            step;
+            @(negedge clk);
+        end
+        settle;
+        if (writes_answered != words[at + 1] || reads_answered - polls != words[at + 2] || packets_given != words[at + 3] || packets_received + packets_dropped != words[at + 4])
+            $fatal(1, "FAILED: %0d writes, %0d reads, %0d packets sent, %0d received", writes_answered, reads_answered, packets_given, packets_received);
+        $display("PASSED: %0d writes and %0d reads of registers, %0d packets in, %0d packets out", writes_answered, reads_answered, packets_given, packets_received);
+        $finish;
+        forever @(negedge clk);
+    end
+endmodule
