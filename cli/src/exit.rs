@@ -70,6 +70,8 @@ const fn search(error: &SearchError) -> u8 {
 const fn process(error: &ProcessError) -> u8 {
     match error {
         ProcessError::Generate(_) => TOOL,
+        // The hardware finds these, too.
+        ProcessError::Points(error) => search(error),
         _ => INPUT,
     }
 }
@@ -85,7 +87,8 @@ const fn vectors(error: &VectorsError) -> u8 {
 
 const fn lab(error: &LabError) -> u8 {
     match error {
-        LabError::Neighbors(_) => DISAGREEMENT,
+        LabError::Neighbors(_) | LabError::Unphysical(_) => DISAGREEMENT,
+        LabError::Process(error) => process(error),
         LabError::Lockstep(error) => lockstep(error),
         LabError::Verilated(error) => verilated(error),
         LabError::Search(error) => search(error),

@@ -73,7 +73,7 @@ fn an_operator_leaves_points_report_and_arrays() {
     ]);
     let report: Value = json(&text);
     assert_eq!((&report["queries"], &report["invalid"]), (&500.into(), &0.into()));
-    assert!(report["compared"].as_array().is_some_and(|compared| compared.len() == 3), "{report}");
+    assert!(report["compared"].as_array().is_some_and(|compared| compared.len() == 4), "{report}");
     let folder = workplace.path().join("mls");
     let markdown = fs::read_to_string(folder.join("report.md")).expect("it is written");
     assert!(markdown.contains("| thesis table 6.2 | 29 | 32 | 3 | 2 |"), "{markdown}");

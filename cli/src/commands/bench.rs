@@ -2,7 +2,7 @@
 
 use super::{Failure, Output, existing, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{configurations, effects, front, knn, operators, splat};
+use pointcore_lab::bench::{configurations, effects, front, knn, operators, process, splat};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators", "configurations", "front"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "process", "operators", "configurations", "front"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -32,6 +32,8 @@ enum Part {
     Effects,
     /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,
+    /// The point processor: programs on neighborhoods; its charts and tables go to a folder `process-bench` beside the output.
+    Process,
     /// Floating-point operators.
     Operators,
     /// Cycles of the named configurations.
@@ -56,6 +58,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if measures(Part::Knn) {
         let folder = arguments.output.with_file_name("knn-bench");
         knn::figures(scan, &arguments.models, &folder, &mut figures)?;
+    }
+    if measures(Part::Process) {
+        process::figures(scan, &arguments.output.with_file_name("process-bench"), &mut figures)?;
     }
     if measures(Part::Operators) {
         operators::figures(&mut figures)?;

@@ -2,7 +2,7 @@
 
 use super::{Failure, Output, write};
 use pointcore::configuration::{self, Configuration};
-use pointcore_contract::{search, splat};
+use pointcore_contract::{points, search, splat};
 use pointcore_lab::diagram::diagram;
 use serde_json::json;
 use std::path::PathBuf;
@@ -25,6 +25,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let svg = match &configuration {
         Configuration::Splat(config) => diagram(&module, &splat::units::UNITS, config),
         Configuration::Search(config) => diagram(&module, &search::units::UNITS, config),
+        Configuration::Points(config) => diagram(&module, &points::units::UNITS, config),
     };
     write(&arguments.output, &svg)?;
     let file = arguments.output.display().to_string();

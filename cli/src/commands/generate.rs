@@ -5,14 +5,14 @@ use pointcore::configuration::{self, Configuration};
 use pointcore::package::{File, Package};
 use pointcore::scene::Model;
 use pointcore::wording::plain;
-use pointcore::{search, splat};
+use pointcore::{points, search, splat};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `gen`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A scene file, or a model as `run` draws it, or a hardware configuration such as configs/fpga.toml (the renderer) or configs/knn.toml (the search core).
+    /// A scene file, or a model as `run` draws it, or a hardware configuration such as configs/fpga.toml (the renderer), configs/knn.toml (the search core) or configs/points.toml (the point processor).
     source: PathBuf,
     /// The folder to write into; made if missing.
     #[arg(short, long, value_name = "DIR")]
@@ -68,6 +68,10 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         Configuration::Search(config) => {
             let core = search::SearchCore::generate(&config)?;
             (Package::search(&name, &core, &config)?, core.design)
+        }
+        Configuration::Points(config) => {
+            let core = points::PointsCore::generate(&config)?;
+            (Package::points(&name, &core, &config)?, core.design)
         }
     };
     if arguments.rust_hdl {

@@ -8,6 +8,7 @@ pub mod diagram;
 pub mod generate;
 pub mod inspect;
 pub mod knn;
+pub mod memory;
 pub mod mutate;
 pub mod numbers;
 pub mod output;
@@ -15,6 +16,7 @@ pub mod plan;
 pub mod process;
 pub mod progress;
 pub mod results;
+pub mod reuse;
 pub mod run;
 pub mod search;
 pub mod shard;
@@ -192,7 +194,7 @@ pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Resul
     else {
         return Err(configuration::wrong(
             config_path,
-            "is for the search core: rendering needs a configuration of the renderer",
+            "is not for the renderer: rendering needs a file with the line `kind = \"splat\"`",
         )
         .into());
     };

@@ -1,5 +1,6 @@
 //! What is searched, on which hardware: the arguments that `knn` and `vectors` share.
 
+use super::reuse::ReuseArguments;
 use super::{Failure, choices, numbers};
 use glam::DVec3;
 use pointcore::configuration;
@@ -7,9 +8,6 @@ use pointcore::scene::InvalidPoints;
 use pointcore::search::{Order, PointSet, PointSource, Query, Reuse, SearchError, Splitting, config_for};
 use pointcore_contract::search::Config;
 use std::path::PathBuf;
-
-/// Neighborhoods of the thesis' neighbor cache.
-const CACHE_ENTRIES: u32 = 8;
 
 /// How many queries are asked.
 #[derive(Clone, Copy)]
@@ -62,15 +60,8 @@ pub struct SearchArguments {
     /// The hardware's configuration, such as configs/knn.toml.
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Neighborhoods that a coherent neighbor cache holds, up to 32; 0 leaves it out. By default 8 with --epsilon or --alpha, else 0.
-    #[arg(long, value_name = "COUNT", conflicts_with = "config", value_parser = numbers::within(0_u32..=32, "0 to 32 neighborhoods"))]
-    cache: Option<u32>,
-    /// How much farther than the true ones neighbors from the neighbor cache may be, as a share; by default not at all.
-    #[arg(long, value_name = "SHARE", value_parser = numbers::within(Reuse::EPSILON, "0 to 10"))]
-    epsilon: Option<f32>,
-    /// The factor by which balls are searched larger for the neighbor cache; by default 1.25.
-    #[arg(long, value_name = "FACTOR", value_parser = numbers::within(Reuse::ALPHA, "1 to 10"))]
-    alpha: Option<f32>,
+    #[command(flatten)]
+    reuse: ReuseArguments,
     /// Seed of everything random: shuffles, and in a simulation stalls, the memory's order and uninitialized values.
     #[arg(long, default_value_t = 1, value_parser = numbers::whole())]
     pub seed: u64,
@@ -79,45 +70,25 @@ pub struct SearchArguments {
 impl SearchArguments {
     /// Checks what goes together.
     pub fn check(&self) -> Result<(), Failure> {
-        let usage = |message| Err(Failure::Usage(message));
-        if self.cache == Some(0) && self.wants_reuse() {
-            return usage(
-                "--cache 0: --epsilon and --alpha go with a neighbor cache of 1 to 32 neighborhoods".to_owned(),
-            );
-        }
-        Ok(self.reuse().validate()?)
+        self.reuse.check()
     }
 
     /// What the neighbor cache may answer.
     pub fn reuse(&self) -> Reuse {
-        let Reuse { epsilon, alpha } = Reuse::default();
-        Reuse { epsilon: self.epsilon.unwrap_or(epsilon), alpha: self.alpha.unwrap_or(alpha) }
-    }
-
-    /// Whether something is said that only a neighbor cache heeds.
-    const fn wants_reuse(&self) -> bool {
-        self.epsilon.is_some() || self.alpha.is_some()
-    }
-
-    /// Neighborhoods in the neighbor cache, where no configuration says.
-    fn cache(&self) -> u32 {
-        self.cache.unwrap_or(if self.wants_reuse() { CACHE_ENTRIES } else { 0 })
+        self.reuse.factors()
     }
 
     /// The hardware, and the points in its format.
     pub fn hardware(&self, points: &PointSource, invalid: InvalidPoints) -> Result<(Config, PointSet), Failure> {
         if let Some(path) = &self.config {
             let config = configuration::parse_search(path, &configuration::read_text(path)?)?;
-            if config.neighbor_cache == 0 && self.wants_reuse() {
-                let message = "--epsilon and --alpha go with a neighbor cache: set `neighbor_cache` in";
-                return Err(Failure::Usage(format!("{message} {}", path.display())));
-            }
+            self.reuse.check_hardware(config.neighbor_cache, path)?;
             let points = PointSet::load_with(config.geometry, points, invalid)?;
             return Ok((config, points));
         }
         let points = PointSet::load_with(Config::default().geometry, points, invalid)?;
         // The neighbor cache needs one neighbor more to tell how far a neighborhood reaches.
-        let cache = self.cache();
+        let cache = self.reuse.neighborhoods();
         let searched = if cache > 0 && self.radius.is_none() { self.k + 1 } else { self.k };
         let config = config_for(points.points().len(), searched, self.tree);
         let config = Config { neighbor_cache: cache, ..config };

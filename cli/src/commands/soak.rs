@@ -133,12 +133,17 @@ fn tabulate(record: &SoakRecord, path: &Path) -> Result<(), Failure> {
     write(path, &text)
 }
 
+/// A configuration of a core that is soaked.
+fn configuration(path: &Path) -> Result<AnyConfig, Failure> {
+    let other = || wrong(path, "is for the point processor: a soak needs `kind = \"splat\"` or `kind = \"search\"`");
+    Ok(AnyConfig::of(parse(path, &read_text(path)?)?).ok_or_else(other)?)
+}
+
 /// What all cases came to; those that were finished are kept when one cannot be run.
 fn soak(arguments: &Arguments) -> Result<Vec<CaseOutcome>, Failure> {
     let (campaign, numbers) = (arguments.campaign()?, arguments.numbers());
     let given = arguments.configuration.as_ref();
-    let given =
-        given.map(|path| Ok::<_, Failure>((path, AnyConfig::from(parse(path, &read_text(path)?)?)))).transpose()?;
+    let given = given.map(|path| Ok::<_, Failure>((path, configuration(path)?))).transpose()?;
     let (done, cycles) = (AtomicU64::new(0), AtomicU64::new(0));
     let outcomes = spread(&numbers, arguments.jobs, |&number| {
         let is_alone = arguments.case.is_some() || given.is_some();

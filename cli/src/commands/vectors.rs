@@ -13,6 +13,10 @@ use std::path::{Path, PathBuf};
 /// Where memory begins if the user does not say.
 const DEFAULT_BASE: &str = "0x10000000";
 
+/// What is said of a search alone.
+const OF_SEARCHES: [&str; 12] =
+    ["points", "k", "radius", "queries", "order", "limit", "tree", "config", "cache", "epsilon", "alpha", "seed"];
+
 /// An address, in decimal or with `0x` in hexadecimal.
 fn address(text: &str) -> Result<u64, String> {
     let parsed = text.strip_prefix("0x").map_or_else(|| text.parse(), |digits| u64::from_str_radix(digits, 16));
@@ -23,7 +27,7 @@ fn address(text: &str) -> Result<u64, String> {
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A scene file: vectors for the renderer.
-    #[arg(required_unless_present = "points", conflicts_with_all = ["points", "SearchArguments"])]
+    #[arg(required_unless_present = "points", conflicts_with_all = OF_SEARCHES)]
     scene: Option<PathBuf>,
     /// Replaces a value of the scene file, e.g. `--set overrides.stream_bits=32`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "points")]

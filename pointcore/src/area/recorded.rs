@@ -1,7 +1,7 @@
 //! What the project has measured of whole cores: `docs/area.json`, as it was when the library was built.
 
 use super::device::{Evidence, Needs};
-use crate::configuration::{Configuration, ecp5, knn, parse};
+use crate::configuration::{Configuration, ecp5, knn, parse, points};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -13,11 +13,12 @@ const TARGET: &str = "ecp5";
 const LUT4_PER_CARRY: u64 = 2;
 
 /// Configurations that an entry may name, by their files.
-const CONFIGURATIONS: [(&str, &str); 7] = [
+const CONFIGURATIONS: [(&str, &str); 8] = [
     ("configs/asic.toml", include_str!("../../../configs/asic.toml")),
     ("configs/ecp5.toml", include_str!("../../../configs/ecp5.toml")),
     ("configs/fpga.toml", include_str!("../../../configs/fpga.toml")),
     ("configs/knn.toml", include_str!("../../../configs/knn.toml")),
+    ("configs/points.toml", include_str!("../../../configs/points.toml")),
     ("configs/tiny.toml", include_str!("../../../configs/tiny.toml")),
     ("configs/tiny_knn.toml", include_str!("../../../configs/tiny_knn.toml")),
     ("configs/upsample.toml", include_str!("../../../configs/upsample.toml")),
@@ -69,6 +70,7 @@ impl Entry {
             }),
             (None, "splat") => *configuration == Configuration::Splat(ecp5()),
             (None, "search") => *configuration == Configuration::Search(knn()),
+            (None, "points") => *configuration == Configuration::Points(points()),
             (None, _) => false,
         }
     }

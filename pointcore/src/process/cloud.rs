@@ -72,10 +72,11 @@ impl Cloud {
         Ok(cloud)
     }
 
-    /// Points in memory, with numbers of each by name: `nx`, `ny` and `nz` are normals.
+    /// Points in memory, with numbers of each by name: `nx`, `ny` and `nz` are normals of any length; where they are zero,
+    /// the nearest point's count.
     ///
     /// # Errors
-    /// There is no point, one that is not finite in the format, or a column of another length.
+    /// There is no point, one that is not finite in the format, a column of another length, or no normal of any length.
     pub fn of(
         format: Format,
         name: String,
@@ -88,16 +89,17 @@ impl Cloud {
             return Err(ProcessError::Value { what: "column", program: name, name: column.clone(), problem });
         }
         let normals = match ["nx", "ny", "nz"].map(|axis| columns.remove(axis)) {
-            [Some(x), Some(y), Some(z)] => Some((0..count).map(|i| DVec3::new(x[i], y[i], z[i])).collect()),
+            [Some(x), Some(y), Some(z)] => Some((0..count).map(|i| DVec3::new(x[i], y[i], z[i])).collect::<Vec<_>>()),
             [None, None, None] => None,
             _ => {
                 let problem = "is not whole: expected nx, ny and nz, or none of them".to_owned();
                 return Err(ProcessError::Value { what: "column", program: name, name: "normal".to_owned(), problem });
             }
         };
+        let set = PointSet::recentered(format, points)?;
         Ok(Self {
-            set: PointSet::recentered(format, points)?,
-            normals,
+            normals: normals.map(|normals| units(&name, set.given(), &normals)).transpose()?,
+            set,
             normals_from: "nx, ny, nz of the points".to_owned(),
             columns,
             sources: BTreeMap::new(),
@@ -163,5 +165,43 @@ impl Cloud {
     pub(super) fn insert(&mut self, name: &str, values: Vec<f64>, from: &str) {
         self.columns.insert(name.to_owned(), values);
         self.sources.insert(name.to_owned(), from.to_owned());
+    }
+}
+
+/// Normals in memory, of length 1.
+fn units(name: &str, points: &[DVec3], normals: &[DVec3]) -> Result<Vec<DVec3>, ProcessError> {
+    let wrong = |problem: String| {
+        let (program, name) = (name.to_owned(), "normal".to_owned());
+        ProcessError::Value { what: "column", program, name, problem }
+    };
+    if let Some(index) = normals.iter().position(|normal| !normal.is_finite()) {
+        return Err(wrong(format!("is {} at vertex {index}: expected numbers that are finite", normals[index])));
+    }
+    crate::scene::normals::normalize(points, normals)
+        .map_err(|_| wrong("is zero at all points: expected directions, or no normals".to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cloud(normals: [[f64; 3]; 3]) -> Result<Cloud, ProcessError> {
+        let points = (0..3).map(|index| DVec3::X * f64::from(index)).collect();
+        let column = |axis: usize| normals.iter().map(|normal| normal[axis]).collect();
+        let columns = [("nx", 0), ("ny", 1), ("nz", 2)].map(|(name, axis)| (name.to_owned(), column(axis)));
+        Cloud::of(Format::F32, "test".to_owned(), points, columns.into())
+    }
+
+    #[test]
+    fn normals_in_memory_are_made_ones_of_length_1() {
+        let normals = cloud([[0.0, 0.0, 4.0], [0.0, -0.5, 0.0], [0.0; 3]]).map(|cloud| cloud.normals);
+        assert_eq!(normals.ok().flatten(), Some(vec![DVec3::Z, -DVec3::Y, -DVec3::Y]), "the third has the nearest's");
+        for (normals, part) in [
+            ([[0.0; 3]; 3], "column `normal` of `test` is zero at all points"),
+            ([[1.0; 3], [0.0, f64::NAN, 0.0], [1.0; 3]], "is [0, NaN, 0] at vertex 1"),
+        ] {
+            let message = cloud(normals).expect_err("these are no normals").to_string();
+            assert!(message.contains(part), "`{part}` is missing in: {message}");
+        }
     }
 }

@@ -2,16 +2,19 @@
 
 use super::ProcessError;
 use super::neighborhoods::Neighborhoods;
+use super::timing::Timing;
+use crate::search::PointSet;
 use pointcore_contract::Format;
 use pointcore_contract::process::Program;
 use pointcore_golden::process::{Interpreter, Neighborhood};
 use rayon::prelude::*;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A program with all that it reads, as words.
 pub struct Job<'a> {
     /// The program.
-    pub program: &'a Program,
+    pub program: &'a Arc<Program>,
     /// The format of its floats.
     pub format: Format,
     /// A word for each of the settings'.
@@ -22,8 +25,19 @@ pub struct Job<'a> {
     pub queries: &'a [Vec<u32>],
     /// The words of each point as a neighbor.
     pub points: &'a [Vec<u32>],
+    /// The points' positions.
+    pub set: &'a PointSet,
     /// The neighbors of a position, by their indices.
     pub neighborhoods: &'a Neighborhoods,
+}
+
+/// What came of a job.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    /// The answers in the order of the queries.
+    pub answers: Vec<Answer>,
+    /// What it took, if time was counted.
+    pub timing: Option<Timing>,
 }
 
 /// A query that left.
@@ -35,8 +49,8 @@ pub struct Answer {
     pub iterations: u32,
     /// It was not done, but had no iteration left.
     pub capped: bool,
-    /// Neighbors of its last iteration.
-    pub neighbors: u32,
+    /// Neighbors of its last iteration, where they were counted.
+    pub neighbors: Option<u32>,
 }
 
 /// What carries out programs: a model, or a core in lockstep with one.
@@ -44,11 +58,11 @@ pub trait Engine {
     /// What reports call it.
     fn name(&self) -> &'static str;
 
-    /// The answers in the order of the queries; `progress` hears how many queries have left.
+    /// Carries a job out; `progress` hears how many queries have left.
     ///
     /// # Errors
     /// Hardware and model differ, or cannot be run.
-    fn run(&self, job: &Job<'_>, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Answer>, ProcessError>;
+    fn run(&self, job: &Job<'_>, progress: &(dyn Fn(u64) + Sync)) -> Result<Carried, ProcessError>;
 }
 
 /// The golden interpreter, which is bit-exact and knows no time.
@@ -59,8 +73,8 @@ impl Engine for Interpreted {
         "golden interpreter"
     }
 
-    fn run(&self, job: &Job<'_>, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Answer>, ProcessError> {
-        let interpreter = Interpreter::new(job.program.clone(), job.format, job.settings.to_vec(), job.iterations);
+    fn run(&self, job: &Job<'_>, progress: &(dyn Fn(u64) + Sync)) -> Result<Carried, ProcessError> {
+        let interpreter = Interpreter::new((**job.program).clone(), job.format, job.settings.to_vec(), job.iterations);
         let done = AtomicU64::new(0);
         let answer = |words: &Vec<u32>| {
             let mut found = 0;
@@ -76,9 +90,9 @@ impl Engine for Interpreted {
                 outputs: outcome.outputs,
                 iterations: outcome.iterations,
                 capped: outcome.capped,
-                neighbors: found,
+                neighbors: Some(found),
             }
         };
-        Ok(job.queries.par_iter().map(answer).collect())
+        Ok(Carried { answers: job.queries.par_iter().map(answer).collect(), timing: None })
     }
 }

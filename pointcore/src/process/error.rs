@@ -1,10 +1,11 @@
 //! What can be wrong with a program, its settings and its points.
 
 use super::NEIGHBORS_LIMIT;
+use super::attributes::spelled;
 use crate::generated::GenerateError;
 use crate::scene::SceneError;
 use crate::search::SearchError;
-use pointcore_contract::process::{ConfigError, ProgramError};
+use pointcore_contract::process::{ConfigError, Field, ProgramError};
 use std::path::PathBuf;
 
 /// An operator that cannot be carried out.
@@ -60,17 +61,28 @@ pub enum ProcessError {
         /// What is wrong and what would be right.
         problem: String,
     },
+    /// A setting that the points say nothing about.
+    #[error("setting `{}` of `{program}` does not follow from the points: give --set {}={}", field.name, field.name, example(field))]
+    MissingSetting {
+        /// The program.
+        program: String,
+        /// The setting.
+        field: Field,
+    },
     /// A field that no attribute of the points gives.
-    #[error("{points}: `{program}` reads {field}, but there is no {columns}")]
+    #[error(
+        "{points}: `{program}` reads {whose}.{} ({}), but there is no {}: --attribute {}={} gives all points one value",
+        field.name, field.ty, spelled(field), field.name, example(field)
+    )]
     MissingAttribute {
         /// The points, as the user calls them.
         points: String,
         /// The operation.
         program: String,
-        /// The field and its type.
-        field: String,
-        /// The columns that would do, and what else.
-        columns: String,
+        /// The query's, or the neighbor's.
+        whose: &'static str,
+        /// The field.
+        field: Field,
     },
     /// A constant for a field that no program reads.
     #[error("`{program}` reads no field `{name}`: its fields are {}", listed(known))]
@@ -81,6 +93,20 @@ pub enum ProcessError {
         name: String,
         /// Those that there are, with their types.
         known: Vec<String>,
+    },
+    /// Numbers for a field that an earlier program of the operation finds.
+    #[error(
+        "attribute `{name}` of `{program}` is what its program `{finder}` finds: expected none to be given, or `{reader}` alone"
+    )]
+    Found {
+        /// The operation.
+        program: String,
+        /// The field.
+        name: String,
+        /// The program that finds it.
+        finder: String,
+        /// The program that reads it.
+        reader: String,
     },
     /// An attribute of a point that is no number of the program's.
     #[error("{points}: {name} of vertex {index} {problem}; --attribute {name}=VALUE gives all points one value")]
@@ -119,11 +145,16 @@ pub enum ProcessError {
         passes: u32,
     },
     /// Queries that a later program of an operation cannot be given.
-    #[error("`{0}` asks all points in the order of their file: expected no other queries")]
+    #[error("`{0}` asks all points in their order: expected no other queries")]
     Queries(String),
     /// A fault of the generator.
     #[error("the hardware could not be generated: {0}")]
     Generate(#[from] GenerateError),
+}
+
+/// What a value of a field looks like.
+const fn example(field: &Field) -> &'static str {
+    if field.ty.words() > 1 { "X,Y,Z" } else { "NUMBER" }
 }
 
 /// Names in a row.

@@ -40,15 +40,16 @@ fn columns<'a>(processed: &'a Processed, extra: &'a [(&'static str, Numbers)]) -
 fn extra(processed: &Processed) -> Vec<(&'static str, Numbers)> {
     let place = |axis: usize| Numbers::Double(processed.places.iter().map(|place| place[axis]).collect());
     let answers = processed.answers();
-    let count = |of: fn(&super::Answer) -> u32| Numbers::Int(answers.iter().map(|answer| of(answer) as i32).collect());
-    vec![
+    let neighbors: Option<Vec<i32>> = answers.iter().map(|answer| answer.neighbors.map(|count| count as i32)).collect();
+    let mut columns = vec![
         ("x", place(0)),
         ("y", place(1)),
         ("z", place(2)),
-        ("iterations", count(|answer| answer.iterations)),
-        ("neighbors", count(|answer| answer.neighbors)),
-        ("capped", Numbers::Bool(answers.iter().map(|answer| answer.capped).collect())),
-    ]
+        ("iterations", Numbers::Int(answers.iter().map(|answer| answer.iterations as i32).collect())),
+    ];
+    columns.extend(neighbors.map(|counts| ("neighbors", Numbers::Int(counts))));
+    columns.push(("capped", Numbers::Bool(answers.iter().map(|answer| answer.capped).collect())));
+    columns
 }
 
 /// Comma-separated values, a line a query.

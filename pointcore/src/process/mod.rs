@@ -2,8 +2,8 @@
 //! with each query.
 //!
 //! [`Operation`] is one program or several after another, [`Cloud`] points with their attributes, [`Process`] the two
-//! with what is asked of them. [`process`] carries it out on an [`Engine`]. Today's is the golden interpreter; a core in
-//! lockstep takes its place without a change here.
+//! with what is asked of them. [`process`] carries it out on an [`Engine`]: the golden interpreter, which knows no time, or
+//! a point processor with its model.
 
 mod attributes;
 pub mod check;
@@ -22,11 +22,12 @@ mod settings;
 mod stage;
 #[cfg(test)]
 mod tests;
+mod timing;
 mod words;
 
 pub use cloud::Cloud;
 pub use cost::{BlockCost, Cost, Operators, THESIS};
-pub use engine::{Answer, Engine, Interpreted, Job};
+pub use engine::{Answer, Carried, Engine, Interpreted, Job};
 pub use error::ProcessError;
 pub use files::{csv, npy, ply};
 pub use neighborhoods::{NEIGHBORS_LIMIT, Neighborhoods};
@@ -37,3 +38,4 @@ pub use run::{ITERATIONS_LIMIT, Process, Queries, process};
 pub use scale::Scale;
 pub use settings::Setting;
 pub use stage::Stage;
+pub use timing::{Simulation, Timed, Timing};

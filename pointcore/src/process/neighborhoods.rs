@@ -25,6 +25,7 @@ pub struct Neighborhoods {
     encoded: Vec<Point>,
     tree: ImmutableKdTree<f64, 3>,
     k: usize,
+    radius: Option<f32>,
     radius2: u32,
 }
 
@@ -58,7 +59,20 @@ impl Neighborhoods {
         };
         let coordinates: Vec<[f64; 3]> = points.points().iter().map(|point| point.map(f64::from)).collect();
         let tree = ImmutableKdTree::new_from_slice(&coordinates);
-        Ok(Self { format, encoded: points.encoded(), tree, k: k as usize, radius2 })
+        let radius = radius.map(|radius| radius as f32);
+        Ok(Self { format, encoded: points.encoded(), tree, k: k as usize, radius, radius2 })
+    }
+
+    /// Neighbors of a position at most.
+    #[must_use]
+    pub const fn k(&self) -> u32 {
+        self.k as u32
+    }
+
+    /// Only points nearer than this are neighbors.
+    #[must_use]
+    pub const fn radius(&self) -> Option<f32> {
+        self.radius
     }
 
     /// The points near a position given by its words, nearest first; none where it is no position.

@@ -32,16 +32,18 @@ impl Operation {
         OPERATIONS.iter().map(|(name, _)| *name).collect()
     }
 
-    /// The one of that name.
+    /// The one of that name, or the library's program of that name alone.
     ///
     /// # Errors
     /// There is none.
     pub fn named(name: &str) -> Result<Self, ProcessError> {
-        let found = OPERATIONS.iter().find(|(known, _)| *known == name);
-        let (name, stages) =
-            found.ok_or_else(|| ProcessError::Operation { name: name.to_owned(), known: Self::names() })?;
+        let found = OPERATIONS.iter().find(|(known, _)| *known == name).map(|(_, stages)| *stages);
+        let alone =
+            library::PROGRAMS.iter().find(|(known, _)| *known == name).map(|(known, _)| std::slice::from_ref(known));
+        let unknown = || ProcessError::Operation { name: name.to_owned(), known: Self::names() };
+        let stages = found.or(alone).ok_or_else(unknown)?;
         let stages = stages.iter().map(|program| Arc::new(library::program(program))).collect();
-        Ok(Self { name: (*name).to_owned(), stages })
+        Ok(Self { name: name.to_owned(), stages })
     }
 
     /// A program of a file.
@@ -94,12 +96,40 @@ impl Operation {
         distinct(self.stages.iter().flat_map(|program| program.settings.fields()))
     }
 
-    /// The fields of queries and neighbors of all programs besides positions, each name once.
+    /// The fields of queries and neighbors besides positions, each name once, but for what an earlier program finds.
     #[must_use]
     pub fn fields(&self) -> Vec<Field> {
-        let fields =
-            self.stages.iter().flat_map(|program| program.query.fields().iter().chain(program.neighbor.fields()));
+        let fields = self.stages.iter().enumerate().flat_map(|(stage, program)| {
+            let fields = program.query.fields().iter().chain(program.neighbor.fields());
+            fields.filter(move |field| self.finder(stage, &field.name).is_none())
+        });
         distinct(fields.filter(|field| field.name != "position"))
+    }
+
+    /// The field that an attribute of this name gives.
+    ///
+    /// # Errors
+    /// No program reads it, or an earlier program finds it.
+    pub fn field(&self, name: &str) -> Result<Field, ProcessError> {
+        let fields = self.fields();
+        if let Some(field) = fields.iter().find(|field| field.name == name) {
+            return Ok(field.clone());
+        }
+        let (program, name) = (self.name.clone(), name.to_owned());
+        let reads = |reader: &Program| [&reader.query, &reader.neighbor].iter().any(|of| of.find(&name).is_some());
+        let found = self.stages.iter().enumerate().filter(|(_, reader)| reads(reader));
+        match found.into_iter().find_map(|(stage, reader)| Some((self.finder(stage, &name)?, reader))) {
+            Some((finder, reader)) => {
+                let (finder, reader) = (finder.name().to_owned(), reader.name().to_owned());
+                Err(ProcessError::Found { program, name, finder, reader })
+            }
+            None => Err(ProcessError::UnknownAttribute { program, name, known: shown(&fields) }),
+        }
+    }
+
+    /// The program before this stage that has an output of the name.
+    fn finder(&self, stage: usize, name: &str) -> Option<&Program> {
+        self.stages[..stage].iter().find(|program| program.outputs.find(name).is_some()).map(|program| &**program)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::attributes::Bound;
 use super::settings::Setting;
+use super::timing::Timing;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -67,10 +68,12 @@ pub struct Summary {
     pub capped: usize,
     /// Queries that say they are not valid, if the program says so.
     pub invalid: Option<usize>,
-    /// Neighbors of all queries, in their last iteration.
-    pub neighbors: u64,
-    /// Queries without a neighbor.
-    pub lonely: usize,
+    /// Neighbors of all queries, in their last iteration, where they were counted.
+    pub neighbors: Option<u64>,
+    /// Queries without a neighbor, where neighbors were counted.
+    pub lonely: Option<usize>,
+    /// What each program took, in the order in which they ran, if time was counted.
+    pub timings: Vec<Timing>,
     /// The settings of each program.
     pub settings: Vec<(String, Vec<Setting>)>,
     /// Where the fields come from.

@@ -2,6 +2,8 @@
 
 use super::cost::{Cost, Operators};
 use super::outcome::Summary;
+use super::timing::Timing;
+use crate::area::recorded::Clock;
 use crate::process::check::Comparison;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -20,6 +22,8 @@ pub struct ProcessReport {
     pub iterations_limit: u32,
     /// The format of floats.
     pub format: String,
+    /// The clock at which times are told, where time was counted.
+    pub clock: Option<Clock>,
     /// What the programs take as hardware.
     pub cost: Vec<Cost>,
     /// Look-up tables of the blocks' pipelines, estimated.
@@ -34,6 +38,7 @@ impl ProcessReport {
     pub fn markdown(&self) -> String {
         let mut text = format!("# {} of {}\n\n", self.summary.operation, self.summary.points);
         self.write_run(&mut text);
+        self.write_time(&mut text);
         self.write_bindings(&mut text);
         self.write_compared(&mut text);
         self.write_cost(&mut text);
@@ -56,14 +61,44 @@ impl ProcessReport {
         }
         _ = writeln!(text, "| | |\n|---|---|");
         let mut row = |name: &str, value: String| _ = writeln!(text, "| {name} | {value} |");
-        row("neighbors of a query", format!("{:.2} of up to {}{radius}", each(summary.neighbors), self.k));
-        row("queries without a neighbor", summary.lonely.to_string());
+        let found = summary.neighbors.map_or(String::new(), |count| format!("{:.2} of ", each(count)));
+        row("neighbors of a query", format!("{found}up to {}{radius}", self.k));
+        if let Some(lonely) = summary.lonely {
+            row("queries without a neighbor", lonely.to_string());
+        }
         row(
             "iterations of a query",
             format!("{:.2}, at most {} of {}", each(summary.iterations), summary.iterations_max, self.iterations_limit),
         );
         row("capped: not done by then", summary.capped.to_string());
         row("not valid", summary.invalid.map_or("the program does not say".to_owned(), |count| count.to_string()));
+    }
+
+    fn write_time(&self, text: &mut String) {
+        let Some(clock) = &self.clock else { return };
+        _ = writeln!(text, "\n## Time\n\nAt {clock}.\n");
+        _ = writeln!(
+            text,
+            "| program | cycles | a query | queries a second | kernel busy | lines there | neighbor cache | bytes a query |\n|---|---|---|---|---|---|---|---|"
+        );
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        for timing in &self.summary.timings {
+            let Timing { program, cycles, queries, bytes, line_hits, line_misses, .. } = timing;
+            let each = timing.cycles_per_query();
+            let saved = timing.saved().map_or("none".to_owned(), |share| format!("{} spared", percent(share)));
+            let lines = *line_hits as f64 / (line_hits + line_misses).max(1) as f64;
+            _ = writeln!(
+                text,
+                "| `{program}` | {cycles} | {each:.2} | {:.0} | {} | {} | {saved} | {:.1} |",
+                clock.mhz * 1e6 / each,
+                percent(timing.kernel_busy()),
+                percent(lines),
+                *bytes as f64 / (*queries).max(1) as f64,
+            );
+        }
+        let simulated: u64 = self.summary.timings.iter().map(|timing| timing.simulated_cycles).sum();
+        let seconds: f64 = self.summary.timings.iter().map(|timing| timing.seconds).sum();
+        _ = writeln!(text, "\n{simulated} cycles were simulated in {seconds:.1} s.");
     }
 
     fn write_bindings(&self, text: &mut String) {
@@ -85,11 +120,11 @@ impl ProcessReport {
         _ = writeln!(text, "\n## Beside f64\n\nThe last iteration of each query, from where it began.\n");
         _ = writeln!(
             text,
-            "| output | compared | largest error | its bound | largest share of a bound |\n|---|---|---|---|---|"
+            "| output | compared | without a bound | largest error | its bound | largest share of a bound |\n|---|---|---|---|---|---|"
         );
-        for Comparison { output, compared, error, bound, share, .. } in compared {
+        for Comparison { output, compared, unbounded, error, bound, share, .. } in compared {
             let [error, bound] = [error, bound].map(|number| shortened(*number));
-            _ = writeln!(text, "| `{output}` | {compared} | {error} | {bound} | {share:.3} |");
+            _ = writeln!(text, "| `{output}` | {compared} | {unbounded} | {error} | {bound} | {share:.3} |");
         }
     }
 

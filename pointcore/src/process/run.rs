@@ -4,7 +4,7 @@ use super::ProcessError;
 use super::attributes;
 use super::cloud::Cloud;
 use super::engine::Engine;
-use super::neighborhoods::Neighborhoods;
+use super::neighborhoods::{NEIGHBORS_LIMIT, Neighborhoods};
 use super::operation::{Operation, config};
 use super::outcome::{Processed, Summary};
 use super::scale::Scale;
@@ -67,11 +67,14 @@ pub fn process(
 ) -> Result<Processed, ProcessError> {
     process.check(queries, cloud)?;
     let mut cloud = cloud.clone();
+    let mut timings = vec![];
     for _ in 1..process.passes {
         let processed = process.pass(&cloud, queries, engine, progress)?;
+        timings.extend(processed.summary.timings);
         cloud = cloud.moved(processed.places)?;
     }
     let mut processed = process.pass(&cloud, queries, engine, progress)?;
+    processed.summary.timings.splice(0..0, timings);
     processed.summary.passes = process.passes;
     Ok(processed)
 }
@@ -82,6 +85,9 @@ impl Process<'_> {
         attributes::check_names(self.operation, self.attributes)?;
         for program in self.operation.stages() {
             config(Arc::clone(program), cloud.set.format()).validate()?;
+        }
+        if !(1..=NEIGHBORS_LIMIT).contains(&self.k) {
+            return Err(ProcessError::Neighbors(self.k));
         }
         if !(1..=ITERATIONS_LIMIT).contains(&self.iterations) {
             return Err(ProcessError::Iterations(self.iterations));
@@ -144,8 +150,9 @@ impl Process<'_> {
             iterations_max: 0,
             capped: 0,
             invalid: None,
-            neighbors: 0,
-            lonely: 0,
+            neighbors: None,
+            lonely: None,
+            timings: vec![],
             settings: vec![],
             attributes: vec![],
         }

@@ -1,6 +1,6 @@
 //! How far apart points lie, from which settings are derived.
 
-use crate::scene::neighbors::{self, Distinct};
+use crate::scene::neighbors::{self, Distinct, NearPoint};
 use crate::search::PointSet;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -48,10 +48,25 @@ impl Scale {
         let near = neighbors::nearest_of(&distinct, &chosen, others);
         let reach = median(near.par_iter().filter_map(|near| near.last()).map(|last| last.distance).collect());
         let nearest = median(near.par_iter().filter_map(|near| near.first()).map(|first| first.distance).collect());
-        let side = (std::f64::consts::PI * reach * reach / f64::from(others as u32 + 1)).sqrt();
+        let side = side(reach, others);
         let radius = radius.unwrap_or(REACH * reach);
         Some(Self { radius, nearest, side, extent: high - low, middle: low.midpoint(high) })
     }
+}
+
+/// Side of the square that a point stands for whose neighbors' disc has that radius.
+fn side(radius: f64, others: usize) -> f64 {
+    (std::f64::consts::PI * radius * radius / (others as f64 + 1.0)).sqrt()
+}
+
+/// Sides of the squares that points stand for, each by its own `k` neighbors; points in one place stand for one square.
+pub fn sides(points: &[DVec3], k: u32) -> Vec<f64> {
+    let Distinct { points, places } = Distinct::of(points);
+    let others = (k.max(2) as usize - 1).min(points.len() - 1);
+    let near = neighbors::nearest(&points, others);
+    let side = |near: &Vec<NearPoint>| near.last().map_or(0.0, |last| side(last.distance, others));
+    let sides: Vec<f64> = near.par_iter().map(side).collect();
+    places.iter().map(|place| sides[*place as usize]).collect()
 }
 
 fn median(mut lengths: Vec<f64>) -> f64 {

@@ -126,9 +126,7 @@ fn derived(program: &Program, field: &Field, cloud: &Cloud, scale: Option<Scale>
         (_, "stiffness") => |scale| vec![stiffness(scale)],
         (_, "viscosity") => |scale| vec![VISCOSITY_SHARE * REST_DENSITY * scale.radius * stiffness(scale).sqrt()],
         _ => {
-            let example = ["NUMBER", "X,Y,Z"][usize::from(field.ty.words() > 1)];
-            let problem = format!("does not follow from the points: give --set {name}={example}");
-            return Err(fault(program, field, problem));
+            return Err(ProcessError::MissingSetting { program: program.name().to_owned(), field: field.clone() });
         }
     };
     let scale = scale.ok_or_else(|| ProcessError::NoScale { points: cloud.name.clone(), setting: name.to_owned() })?;

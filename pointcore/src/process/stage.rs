@@ -3,13 +3,14 @@
 use super::ProcessError;
 use super::attributes::{self, Bound, Whose};
 use super::cloud::Cloud;
-use super::engine::{Answer, Engine, Job};
+use super::engine::{Answer, Carried, Engine, Job};
 use super::neighborhoods::Neighborhoods;
 use super::operation::Operation;
 use super::outcome::{Column, Numbers, Processed, Summary};
 use super::run::{Process, Queries};
-use super::scale::Scale;
+use super::scale::{Scale, sides};
 use super::settings::{self, is_place};
+use super::timing::Timing;
 use super::words::{decode_word, encode_word};
 use crate::scene::normals::oriented;
 use glam::DVec3;
@@ -43,6 +44,8 @@ pub struct Stage {
     pub neighborhoods: Arc<Neighborhoods>,
     /// What left.
     pub answers: Vec<Answer>,
+    /// What it took, if time was counted.
+    pub timing: Option<Timing>,
 }
 
 /// What the stages of a pass share.
@@ -68,7 +71,7 @@ impl Pass<'_> {
         queries: &Queries,
         summary: &mut Summary,
     ) -> Result<Processed, ProcessError> {
-        self.add_normals(program, cloud)?;
+        self.add_normals(program, cloud, summary)?;
         let cloud = &*cloud;
         let chosen = settings::settings(program, cloud, self.scale, self.process.settings)?;
         let settings = settings::encoded(program, cloud, &chosen)?;
@@ -83,18 +86,21 @@ impl Pass<'_> {
             iterations: self.process.iterations,
             queries: &asked.words,
             points: &points,
+            set: &cloud.set,
             neighborhoods: self.neighborhoods,
         };
-        let answers = self.engine.run(&job, self.progress)?;
+        let Carried { answers, timing } = self.engine.run(&job, self.progress)?;
+        summary.timings.extend(timing.clone());
         let Asked { places, words: queries } = asked;
         let neighborhoods = Arc::clone(self.neighborhoods);
         let format = cloud.set.format();
-        let stage = Stage { program: Arc::clone(program), format, settings, queries, points, neighborhoods, answers };
+        let program = Arc::clone(program);
+        let stage = Stage { program, format, settings, queries, points, neighborhoods, answers, timing };
         Ok(named(cloud, places, stage, summary.clone()))
     }
 
     /// Estimates normals that a program reads and the points do not have.
-    fn add_normals(&self, program: &Program, cloud: &mut Cloud) -> Result<(), ProcessError> {
+    fn add_normals(&self, program: &Program, cloud: &mut Cloud, summary: &mut Summary) -> Result<(), ProcessError> {
         let reads = |field: &Field| field.name == "normal" && field.ty == Type::Float3;
         let is_read = program.neighbor.fields().iter().chain(program.query.fields()).any(reads);
         if !is_read || cloud.normals.is_some() || self.process.attributes.contains_key("normal") {
@@ -119,6 +125,7 @@ impl Pass<'_> {
         let pass = Pass { process: &process, scale, neighborhoods: &neighborhoods, ..*self };
         let all = Queries::Points((0..cloud.len()).collect());
         let found = pass.stage(&operation.stages()[0], cloud, &all, &mut process.summary(cloud, self.engine))?;
+        summary.timings.extend(found.summary.timings.iter().cloned());
         let column = found.column("normal").expect("the program `normals` has them");
         let component = |axis: usize, index: usize| column.numbers[axis].number(index);
         let normals: Vec<DVec3> =
@@ -173,14 +180,12 @@ impl Pass<'_> {
                 Ok(Asked { places: others.set.given().to_vec(), words })
             }
             Queries::Places(places) => {
-                if let Some(field) = program.query.fields().get(1) {
-                    let no_points = Cloud { normals: None, columns: BTreeMap::new(), ..cloud.clone() };
-                    attributes::bind(program, Whose::Query, field, &no_points, None, self.process.attributes)?;
-                }
-                let constants = program.query.fields().iter().skip(1);
+                let no_points = Cloud { normals: None, columns: BTreeMap::new(), ..cloud.clone() };
                 let mut tail = vec![];
-                for field in constants {
-                    for value in self.process.attributes.get(&field.name).into_iter().flatten() {
+                for field in program.query.fields().iter().skip(1) {
+                    let given = self.process.attributes;
+                    let bound = attributes::bind(program, Whose::Query, field, &no_points, None, given)?;
+                    for value in &bound.values[0] {
                         tail.push(encode_word(cloud.set.format(), field.ty.scalar(), *value).map_err(|problem| {
                             let (program, name) = (program.name().to_owned(), field.name.clone());
                             ProcessError::Value { what: "attribute", program, name, problem }
@@ -195,7 +200,8 @@ impl Pass<'_> {
         }
     }
 
-    /// Around each point so many columns and rows, spread evenly over the square that a point stands for.
+    /// Around each point so many columns and rows, spread evenly over the square about the circle about the one that it stands for:
+    /// neighbors' squares are turned as they come, and are to leave no gap.
     fn pattern(
         &self,
         program: &Program,
@@ -204,13 +210,16 @@ impl Pass<'_> {
         [columns, rows]: [u32; 2],
         summary: &mut Summary,
     ) -> Result<Asked, ProcessError> {
-        let side = self.scale.map_or(0.0, |scale| scale.side);
-        let offset = |place: u32, count: u32| side * ((f64::from(place) + 0.5) / f64::from(count) - 0.5);
+        let sides = sides(cloud.set.given(), self.process.k);
+        let offset = |place: u32, count: u32| -> Vec<f64> {
+            let share = (f64::from(place) + 0.5) / f64::from(count) - 0.5;
+            sides.iter().map(|side| std::f64::consts::SQRT_2 * side * share).collect()
+        };
         let mut asked = Asked { places: vec![], words: vec![] };
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
             let mut own = cloud.clone();
-            own.insert("u", vec![offset(column, columns); cloud.len()], PATTERN);
-            own.insert("v", vec![offset(row, rows); cloud.len()], PATTERN);
+            own.insert("u", offset(column, columns), PATTERN);
+            own.insert("v", offset(row, rows), PATTERN);
             let Asked { places, words } = self.asked(program, &own, &Queries::Points(points.to_vec()), summary)?;
             asked.places.extend(places);
             asked.words.extend(words);
@@ -254,8 +263,9 @@ fn named(cloud: &Cloud, places: Vec<DVec3>, stage: Stage, mut summary: Summary) 
     summary.iterations = answers.iter().map(|answer| u64::from(answer.iterations)).sum();
     summary.iterations_max = answers.iter().map(|answer| answer.iterations).max().unwrap_or_default();
     summary.capped = answers.iter().filter(|answer| answer.capped).count();
-    summary.neighbors = answers.iter().map(|answer| u64::from(answer.neighbors)).sum();
-    summary.lonely = answers.iter().filter(|answer| answer.neighbors == 0).count();
+    let counted: Option<Vec<u32>> = answers.iter().map(|answer| answer.neighbors).collect();
+    summary.neighbors = counted.as_ref().map(|counts| counts.iter().copied().map(u64::from).sum());
+    summary.lonely = counted.map(|counts| counts.iter().filter(|count| **count == 0).count());
     let column = |name: &str| columns.iter().find(|column| column.name == name);
     summary.invalid = column("valid").map(|valid| match &valid.numbers[0] {
         Numbers::Bool(flags) => flags.iter().filter(|flag| !**flag).count(),

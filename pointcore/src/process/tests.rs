@@ -210,7 +210,7 @@ fn points_without_a_surface_stay_where_they_are() {
     }
     let few = cloud(sphere(20, DVec3::ZERO, 0.0), &[]);
     let processed = runs("normals", &few, &Asked { k: 64, ..Asked::default() });
-    assert_eq!(processed.summary.neighbors, 20 * 20, "all points are neighbors");
+    assert_eq!(processed.summary.neighbors, Some(20 * 20), "all points are neighbors");
 }
 
 /// The neighbors that the search core has: nearest first, of the core's distances.
@@ -259,7 +259,7 @@ fn comparisons_find_what_is_off() {
             let place = stage.program.outputs.find(output).expect("it is an output");
             let answer = &mut stage.answers[17].outputs[place.first..place.first + place.ty.words()];
             let word = answer.iter_mut().max_by(|a, b| (**a << 1).cmp(&(**b << 1))).expect("it has a word");
-            *word = (f32::from_bits(*word) * 1.5 + 0.1).to_bits();
+            *word = if output == "valid" { 1 - *word } else { (f32::from_bits(*word) * 1.5 + 0.1).to_bits() };
             let compared = check::compare(&stages).unwrap_or_else(|error| panic!("{name}: {error}"));
             let found = check::within_bounds(&compared);
             assert!(matches!(found, Err(check::Uncompared::Violation(_))), "{name}: a fault in {output} is not found");
@@ -269,6 +269,31 @@ fn comparisons_find_what_is_off() {
     let same = same.unwrap_or_else(|error| panic!("{error}"));
     let nothing = runs("normals", &same, &Asked { radius: Some(1.0), ..Asked::default() });
     assert_eq!(check::compare(&nothing.stages), Err(check::Uncompared::Nothing("normals".to_owned())));
+}
+
+/// Results that are withheld are found.
+#[test]
+fn comparisons_judge_what_is_valid() {
+    let mut places = sphere(300, DVec3::new(3.0, 0.0, 0.0), 0.02);
+    // One that is alone within its radius.
+    places.push(DVec3::new(90.0, 0.0, 0.0));
+    let cloud = cloud(places, &[]);
+    for name in ["covariance", "normals", "mls", "apss"] {
+        let processed = runs(name, &cloud, &Asked { radius: Some(0.5), ..Asked::default() });
+        let valid = |stages: &[Stage]| {
+            let compared = check::compare(stages).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let valid = compared.into_iter().find(|comparison| comparison.output == format!("{name}.valid"));
+            valid.expect("validity is an output")
+        };
+        let judged = valid(&processed.stages);
+        assert!(judged.compared >= 290 && judged.violations == 0, "{name}: {judged:?}");
+        let mut stages = processed.stages;
+        let place = stages[0].program.outputs.find("valid").expect("it is an output").first;
+        for query in [17, 42] {
+            stages[0].answers[query].outputs[place] = 0;
+        }
+        assert_eq!(valid(&stages).violations, 2, "{name}");
+    }
 }
 
 #[test]

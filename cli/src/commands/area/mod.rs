@@ -19,9 +19,10 @@ use std::path::{Path, PathBuf};
 /// Arguments of `area`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Units such as f32_add or splat_heap, the whole cores splat and search, groups of them (operators, splat_units, search_units,
-    /// bus_units, heaps, cores), or configuration files; without any, the operators that the cores rest on, every unit of the cores and of their bus, heaps, and
-    /// the cores. Units and cores have the parameters of configs/ecp5.toml and configs/knn.toml.
+    /// Units such as f32_add or splat_heap, the whole cores splat, search and points, groups of them (operators, splat_units,
+    /// search_units, process_units, bus_units, heaps, cores), or configuration files; without any, the operators that the cores rest on,
+    /// every unit of the cores and of their bus, heaps, and the cores. Units and cores have the parameters of configs/ecp5.toml,
+    /// configs/knn.toml and configs/points.toml.
     #[arg(value_name = "UNIT|CONFIG")]
     units: Vec<String>,
     /// The technology: ecp5 and ice40 are placed and routed, the others synthesized only.

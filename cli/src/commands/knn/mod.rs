@@ -2,6 +2,7 @@
 
 mod files;
 
+use super::memory::MemoryArguments;
 use super::progress::{with_progress, with_spinner};
 use super::results::Results;
 use super::search::{Questions, SearchArguments};
@@ -14,16 +15,14 @@ use pointcore::configuration::Configuration;
 use pointcore::package::Package;
 use pointcore::scene::InvalidPoints;
 use pointcore::search::{
-    Checked, HardwareSize, MemorySettings, PointSet, PointSource, Rounding, SearchCore, SearchError, SearchOutcome,
-    SearchReport, SearchRun, Session, Tree, TruthComparison, check, compare_with_truth, page,
+    Checked, HardwareSize, PointSet, PointSource, Rounding, SearchCore, SearchError, SearchOutcome, SearchReport,
+    SearchRun, Session, Tree, TruthComparison, check, compare_with_truth, page,
 };
 use pointcore::waveform::search_view;
 use pointcore_contract::search::Config;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// Requests among which an out-of-order memory chooses.
-const REORDER_WINDOW: usize = 8;
 /// The waveform of a run.
 const WAVEFORM: &str = "search.fst";
 /// What some runs leave and others do not.
@@ -57,18 +56,8 @@ pub struct Arguments {
     model: KnnEngine,
     #[command(flatten)]
     simulation: SimulationArguments,
-    /// Cycles from a request to the memory to its answer, 1 to 500.
-    #[arg(long, value_name = "CYCLES", default_value_t = MemorySettings::default().latency_cycles, value_parser = numbers::within(MemorySettings::LATENCY_CYCLES, "1 to 500 cycles"))]
-    latency: u64,
-    /// Bytes that the memory moves in a cycle, may be fractional; by default a beat of points.
-    #[arg(long, value_name = "BYTES", value_parser = numbers::within(MemorySettings::BYTES_PER_CYCLE, "0.01 to 65536 bytes a cycle"))]
-    bandwidth: Option<f64>,
-    /// Bytes that the memory can only move together.
-    #[arg(long, value_name = "BYTES", default_value_t = MemorySettings::default().burst_bytes, value_parser = numbers::within(1_u32.., "1 byte at least"))]
-    burst: u32,
-    /// Let answers of the memory overtake each other.
-    #[arg(long)]
-    out_of_order: bool,
+    #[command(flatten)]
+    memory: MemoryArguments,
     /// Compare every distance with a search through all points, bit for bit, and count the neighbors that are others than those of the
     /// file's points in f64.
     #[arg(long)]
@@ -91,16 +80,7 @@ impl Arguments {
     fn check(&self) -> Result<(), Failure> {
         self.search.check()?;
         self.simulation.check(self.simulated())?;
-        Ok(self.memory().validate()?)
-    }
-
-    fn memory(&self) -> MemorySettings {
-        MemorySettings {
-            latency_cycles: self.latency,
-            bytes_per_cycle: self.bandwidth,
-            burst_bytes: self.burst,
-            reorder_window: if self.out_of_order { REORDER_WINDOW } else { 1 },
-        }
+        Ok(self.memory.settings().validate()?)
     }
 
     const fn simulated(&self) -> Simulated {
@@ -148,8 +128,8 @@ impl Arguments {
         let waveform = self.simulation.waveform(results.folder().join(WAVEFORM));
         let session =
             with_spinner("generating, verilating and compiling (cached for the next time)", || match waveform {
-                Some(waveform) => Session::open_traced(config.clone(), tree, self.memory(), waveform),
-                None => Session::open(config.clone(), tree, self.memory(), self.engine().into()),
+                Some(waveform) => Session::open_traced(config.clone(), tree, self.memory.settings(), waveform),
+                None => Session::open(config.clone(), tree, self.memory.settings(), self.engine().into()),
             })?;
         let command = std::env::args().skip(1).fold("pointcore".to_owned(), |command, word| command + " " + &word);
         let session = session.randomized(self.simulation.stall(), self.search.seed).reproduced_by(command);
@@ -214,7 +194,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         config: &config,
         tree: statistics,
         splitting: search.tree.name(),
-        memory: arguments.memory(),
+        memory: arguments.memory.settings(),
         beat_bytes,
         k: search.k,
         radius: search.radius,

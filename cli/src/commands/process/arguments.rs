@@ -1,5 +1,6 @@
 //! What is asked of `process`.
 
+use super::hardware::HardwareArguments;
 use crate::commands::search::Limit;
 use crate::commands::{Failure, numbers};
 use pointcore::process::{Cloud, ITERATIONS_LIMIT, NEIGHBORS_LIMIT, Operation, Queries};
@@ -61,13 +62,15 @@ pub struct Arguments {
     /// Columns and rows of queries around each point, for programs whose queries carry offsets `u` and `v`, as `resample`; by default 2x2.
     #[arg(long, value_name = "CxR")]
     pattern: Option<Pattern>,
-    /// Seed of what is shuffled.
+    /// Seed of everything random: shuffles, and in a simulation stalls, the memory's order and uninitialized values.
     #[arg(long, default_value_t = 1, value_parser = numbers::whole())]
-    seed: u64,
+    pub seed: u64,
+    #[command(flatten)]
+    pub hardware: HardwareArguments,
     /// The format of floats: f32, f24, f32-ftz or f24-ftz.
     #[arg(long, value_name = "FORMAT", default_value_t = Format::F32.flushed())]
     pub format: Format,
-    /// Cycles a neighbor, 1 to 8, for which the report counts operators.
+    /// Cycles a neighbor, 1 to 8: the kernel's operators are shared among as many.
     #[arg(long, value_name = "CYCLES", default_value_t = 1, value_parser = numbers::within(1_u32..=8, "1 to 8 cycles"))]
     pub rate: u32,
     /// Estimate look-up tables by the project's record of areas.

@@ -1,6 +1,7 @@
 //! `pointcore process --op NAME --points FILE`.
 
 mod arguments;
+mod hardware;
 
 pub use arguments::Arguments;
 
@@ -8,10 +9,11 @@ use super::progress::{with_count, with_spinner};
 use super::results::Results;
 use super::{Failure, Output, estimator, write, write_bytes};
 use arguments::FileKind;
+use hardware::Carrier;
 use pointcore::area::proxy::Proxy;
 use pointcore::process::check::{self, Comparison, Uncompared};
 use pointcore::process::{
-    Cost, Interpreted, Operation, Process, ProcessError, ProcessReport, Processed, Queries, csv, npy, ply, process,
+    Cost, Operation, Process, ProcessError, ProcessReport, Processed, Queries, csv, npy, ply, process,
 };
 use pointcore::search::SearchError;
 use serde_json::json;
@@ -50,8 +52,8 @@ fn write_files(processed: &Processed, kinds: &[FileKind], folder: &Path) -> Resu
 }
 
 /// What the programs take as hardware, and their look-up tables if they are asked for.
-fn cost(arguments: &Arguments, operation: &Operation) -> Result<(Vec<Cost>, Option<f64>), Failure> {
-    let of = |program: &std::sync::Arc<_>| Cost::of(program, arguments.format, arguments.rate);
+fn cost(arguments: &Arguments, operation: &Operation, rate: u32) -> Result<(Vec<Cost>, Option<f64>), Failure> {
+    let of = |program: &std::sync::Arc<_>| Cost::of(program, arguments.format, rate);
     let cost = operation.stages().iter().map(of).collect::<Result<Vec<_>, _>>()?;
     if !arguments.luts {
         return Ok((cost, None));
@@ -99,19 +101,21 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         settings: &settings,
         attributes: &attributes,
     };
+    let Carrier { engine, rate, clock } = arguments.hardware.open(arguments.format, arguments.rate, arguments.seed)?;
     let processed = with_count("processing", number_of(&queries), |progress| {
-        process(&cloud, &queries, &asked, &Interpreted, progress)
+        process(&cloud, &queries, &asked, &*engine, progress)
     })?;
     let results = Results::begin(&arguments.output)?;
     write_files(&processed, &arguments.write, results.folder())?;
     let compared = compare(arguments, &processed)?;
-    let (cost, lut4) = cost(arguments, &operation)?;
+    let (cost, lut4) = cost(arguments, &operation, rate)?;
     let report = ProcessReport {
         summary: processed.summary.clone(),
         k: asked.k,
         radius: asked.radius,
         iterations_limit: asked.iterations,
         format: arguments.format.to_string(),
+        clock,
         cost,
         lut4,
         compared,

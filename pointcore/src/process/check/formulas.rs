@@ -1,5 +1,6 @@
 //! Which formulas a program of the library is compared with.
 
+use super::validity::is_valid;
 use super::{Iteration, Left, Off};
 use pointcore_golden::reference::operators::covariance::{angle_error, covariance, eigen, matrix_error, trace};
 use pointcore_golden::reference::operators::fluid;
@@ -22,12 +23,12 @@ pub enum Formula {
 }
 
 const FORMULAS: [(&str, Formula, &[&str]); 8] = [
-    ("covariance", Formula::Covariance, &["mean", "normal", "variation"]),
-    ("normals", Formula::Normals, &["normal", "variation"]),
-    ("mls", Formula::Plane, &["position", "normal", "residual"]),
-    ("apss", Formula::Sphere, &["position"]),
-    ("smooth", Formula::Smooth, &["position"]),
-    ("resample", Formula::Pattern, &["position", "normal"]),
+    ("covariance", Formula::Covariance, &["mean", "normal", "variation", "valid"]),
+    ("normals", Formula::Normals, &["normal", "variation", "valid"]),
+    ("mls", Formula::Plane, &["position", "normal", "residual", "valid"]),
+    ("apss", Formula::Sphere, &["position", "valid"]),
+    ("smooth", Formula::Smooth, &["position", "valid"]),
+    ("resample", Formula::Pattern, &["position", "normal", "valid"]),
     ("sph_density", Formula::Density, &["density", "pressure"]),
     ("sph_forces", Formula::Forces, &["acceleration"]),
 ];
@@ -48,12 +49,18 @@ impl Formula {
         FORMULAS.iter().find(|(_, formula, _)| *formula == self).map_or(&[], |(.., outputs)| outputs)
     }
 
-    /// What a query's outputs are off by; nothing where it is not valid.
+    /// What a query's outputs are off by; of one that is not valid whether it is none.
     pub fn off(self, iteration: &Iteration<'_>, left: &Left<'_>) -> Vec<Off> {
         let is_fluid = matches!(self, Self::Density | Self::Forces);
-        if !is_fluid && left.number("valid") == 0.0 {
-            return vec![];
+        let claimed = is_fluid || left.number("valid") != 0.0;
+        let mut offs = if claimed { self.values(iteration, left) } else { vec![] };
+        if let Some(valid) = is_valid(self, iteration) {
+            offs.push(Off { output: "valid", error: f64::from(u8::from(valid != claimed)), bound: 0.5 });
         }
+        offs
+    }
+
+    fn values(self, iteration: &Iteration<'_>, left: &Left<'_>) -> Vec<Off> {
         match self {
             Self::Covariance => covariances(iteration, left, Direction::Either),
             Self::Normals => covariances(iteration, left, Direction::Viewpoint),

@@ -4,6 +4,7 @@
 //! it began the golden interpreter says, given one iteration fewer.
 
 mod formulas;
+mod validity;
 
 use super::stage::Stage;
 use super::words::decode_word;
@@ -24,13 +25,15 @@ pub struct Comparison {
     pub output: String,
     /// Queries compared.
     pub compared: usize,
+    /// Queries of which no bound is known: their neighborhoods are too degenerate, or rounding decides.
+    pub unbounded: usize,
     /// Queries in which it is off by more than its bound.
     pub violations: usize,
     /// The largest error.
     pub error: f64,
     /// The bound of that query.
     pub bound: f64,
-    /// The largest error as a share of its bound.
+    /// The largest share of its bound that an error has.
     pub share: f64,
     /// The query with that share.
     pub query: usize,
@@ -180,19 +183,33 @@ fn compare_stage(stage: &Stage) -> Result<Vec<Comparison>, Uncompared> {
 /// The worst query of an output.
 fn worst(program: &str, output: &str, offs: &[Vec<Off>]) -> Comparison {
     let output_name = format!("{program}.{output}");
-    let mut worst =
-        Comparison { output: output_name, compared: 0, violations: 0, error: 0.0, bound: 0.0, share: 0.0, query: 0 };
+    let mut worst = Comparison {
+        output: output_name,
+        compared: 0,
+        unbounded: 0,
+        violations: 0,
+        error: 0.0,
+        bound: 0.0,
+        share: 0.0,
+        query: 0,
+    };
     for (query, off) in offs.iter().enumerate().flat_map(|(query, offs)| offs.iter().map(move |off| (query, off))) {
-        // A bound that is no number says nothing.
-        if off.output != output || !off.bound.is_finite() {
+        if off.output != output {
+            continue;
+        }
+        if !off.bound.is_finite() {
+            worst.unbounded += 1;
             continue;
         }
         worst.compared += 1;
         let is_within = off.error <= off.bound;
         worst.violations += usize::from(!is_within);
+        if off.error > worst.error || off.error.is_nan() {
+            (worst.error, worst.bound) = (off.error, off.bound);
+        }
         let share = if off.error == 0.0 { 0.0 } else { off.error / off.bound };
         if share > worst.share || (!is_within && share.is_nan()) {
-            (worst.share, worst.query, worst.error, worst.bound) = (share, query, off.error, off.bound);
+            (worst.share, worst.query) = (share, query);
         }
     }
     worst
