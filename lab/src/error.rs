@@ -7,6 +7,7 @@ use pointcore::cost::CostError;
 use pointcore::generated::GenerateError;
 use pointcore::picture::PictureError;
 use pointcore::plan::PlanError;
+use pointcore::process::ProcessError;
 use pointcore::scene::SceneError;
 use pointcore::search::{SearchError, WrongAnswer};
 use pointcore_tb::cache::FileError;
@@ -36,6 +37,12 @@ pub enum LabError {
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Lockstep(#[from] LockstepError),
+    /// An operator on neighborhoods.
+    #[error(transparent)]
+    Process(#[from] ProcessError),
+    /// A fluid that nobody has seen.
+    #[error("{0}")]
+    Unphysical(String),
     /// A neighbor search.
     #[error(transparent)]
     Search(#[from] SearchError),

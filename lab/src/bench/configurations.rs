@@ -4,12 +4,14 @@ use crate::synthesis::{AreaEntry, AreaRecord, Target, markdown};
 use crate::{Figures, LabError};
 use pointcore::configuration::{Configuration, parse, read_text, wrong};
 use pointcore::plan::Plan;
-use pointcore::scene::Scene;
+use pointcore::process::{Cloud, Operation, Process, Queries, Simulation, Timed, process};
+use pointcore::scene::{InvalidPoints, NormalSource, Scene};
 use pointcore::search::{MemorySettings, Order, PointSet, PointSource, Query, SearchEngine, Session, Splitting, Tree};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
-use pointcore_contract::{Rendering, search, splat};
+use pointcore_contract::{Rendering, points, search, splat};
 use pointcore_tb::lockstep::Stall;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The line before README's table.
@@ -31,6 +33,8 @@ enum Workload {
     Frame(&'static str),
     /// Neighbors of every point of a procedural surface, asked in random order.
     Search { points: u32, neighbors: u32 },
+    /// One iteration of the program for as many points of a procedural surface, in coherent order.
+    Process { points: u32, neighbors: u32 },
 }
 
 /// A configuration that the project ships.
@@ -42,12 +46,13 @@ struct Named {
     workload: Workload,
 }
 
-const NAMED: [Named; 7] = [
+const NAMED: [Named; 8] = [
     Named { name: "fpga", unit: None, workload: Workload::Frame("knot") },
     Named { name: "ecp5", unit: Some("splat"), workload: Workload::Frame("knot") },
     Named { name: "asic", unit: None, workload: Workload::Frame("plane") },
     Named { name: "tiny", unit: None, workload: Workload::Frame("plane") },
     Named { name: "knn", unit: Some("search"), workload: Workload::Search { points: 100_000, neighbors: 10 } },
+    Named { name: "points", unit: None, workload: Workload::Process { points: 20_000, neighbors: 10 } },
     Named { name: "upsample", unit: None, workload: Workload::Search { points: 100_000, neighbors: 10 } },
     Named { name: "tiny_knn", unit: Some("tiny_knn"), workload: Workload::Search { points: 500, neighbors: 8 } },
 ];
@@ -64,6 +69,7 @@ impl Workload {
         match self {
             Self::Frame(_) => "units, recorded frame",
             Self::Search { .. } => "units, proofs, recorded search",
+            Self::Process { .. } => "units, recorded run",
         }
     }
 
@@ -76,6 +82,9 @@ impl Workload {
             }
             (Self::Search { points, neighbors }, Configuration::Search(config)) => {
                 query_cycles(*points, *neighbors, config).map(Cycles::Query)
+            }
+            (Self::Process { points, neighbors }, Configuration::Points(config)) => {
+                program_cycles(*points, *neighbors, config).map(Cycles::Query)
             }
             _ => Err(wrong(root, "a configuration is of the other core than its workload").into()),
         }
@@ -100,6 +109,28 @@ fn frame_cycles(path: &Path, config: &splat::Config) -> Result<u64, LabError> {
         stop_after: None,
     };
     Ok(runner.golden(&core)?.counters.cycles)
+}
+
+fn program_cycles(points: u32, k: u32, config: &points::Config) -> Result<f64, LabError> {
+    let surface = PointSource::Surface(points as usize);
+    let cloud = Cloud::load(config.search.geometry, &surface, InvalidPoints::Refuse, NormalSource::Estimate)?;
+    let operation = Operation::named(config.process.program.name())?;
+    let queries = Queries::Points(Order::Morton.indices(cloud.points(), None, SEED));
+    let (settings, attributes) = (BTreeMap::new(), BTreeMap::new());
+    let asked = Process {
+        operation: &operation,
+        k,
+        radius: None,
+        iterations: 1,
+        passes: 1,
+        settings: &settings,
+        attributes: &attributes,
+    };
+    let hardware = Some(config.clone());
+    let engine = Timed::new(Simulation { hardware, ..Simulation::of(SearchEngine::Golden) });
+    let processed = process(&cloud, &queries, &asked, &engine, &|_| ())?;
+    let timing = processed.summary.timings.last().expect("the model counts time");
+    Ok(timing.cycles_per_query())
 }
 
 fn query_cycles(points: u32, k: u32, config: &search::Config) -> Result<f64, LabError> {

@@ -1,10 +1,12 @@
-//! The project's figures: frames, searches, operators, and what leaving out saves that a scene does not call for.
+//! The project's figures: frames, searches, programs on neighborhoods, operators, and what leaving out saves that a scene does not call for.
 
 pub mod configurations;
 pub mod effects;
 pub mod front;
 pub mod knn;
 pub mod operators;
+mod page;
+pub mod process;
 pub mod splat;
 
 use crate::LabError;

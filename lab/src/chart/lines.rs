@@ -1,4 +1,4 @@
-//! Values over a few named settings, as lines: colors, a legend where the lines leave room, nothing that a page must add.
+//! Values over a few named settings, as lines: colors, a legend where there is room, nothing that a page must add.
 
 use super::{Axis, escape, number};
 use crate::{LabError, write};
@@ -11,6 +11,8 @@ const SIZE: [f64; 2] = [640.0, 400.0];
 const MARGINS: [f64; 4] = [64.0, 16.0, 40.0, 52.0];
 /// Room beside the first and the last setting, of the distance of two.
 const SIDE: f64 = 0.25;
+/// Radius of a dot.
+const DOT: f64 = 4.0;
 /// Line height of the legend, width of a letter, and length of its strokes.
 const LEGEND: [f64; 3] = [17.0, 6.6, 18.0];
 /// A palette that stays distinct in print and for the colour-blind (Okabe and Ito).
@@ -103,23 +105,33 @@ impl LineChart {
             escape(&self.x),
             escape(&self.y)
         );
+        let mut points = vec![];
         for (series, color) in self.series.iter().zip(COLORS.iter().cycle()) {
-            line(&mut svg, series, color, &x_axis, &y_axis);
+            points.extend(line(&mut svg, series, color, &x_axis, &y_axis));
         }
-        self.legend(&mut svg);
+        if self.series.len() > 1 {
+            self.legend(&mut svg, &points);
+        }
         svg + "</svg>\n"
     }
 
-    /// What each color is, where lines that fall, or lines that rise, leave room on the right.
-    fn legend(&self, svg: &mut String) {
+    /// What each color is, in the corner with the fewest points.
+    fn legend(&self, svg: &mut String, points: &[(f64, f64)]) {
         let [left, right, top, bottom] = MARGINS;
         let [line_height, letter, stroke] = LEGEND;
         let letters = self.series.iter().map(|series| series.name.chars().count()).max().unwrap_or(0) as f64;
         let width = (stroke + 22.0 + letter * letters).min(SIZE[0] - left - right);
         let height = line_height * self.series.len() as f64 + 8.0;
-        let rises = |series: &Series| series.values.first() < series.values.last();
-        let y = if self.series.iter().any(rises) { SIZE[1] - bottom - height - 8.0 } else { top + 8.0 };
-        let x = SIZE[0] - right - width - 8.0;
+        let covered = |&(x, y): &(f64, f64)| {
+            let is_in = |&&(px, py): &&(f64, f64)| {
+                (x - DOT..=x + width + DOT).contains(&px) && (y - DOT..=y + height + DOT).contains(&py)
+            };
+            points.iter().filter(is_in).count()
+        };
+        let [left, right] = [left + 8.0, SIZE[0] - right - width - 8.0];
+        let [top, bottom] = [top + 8.0, SIZE[1] - bottom - height - 8.0];
+        let corners = [(right, top), (right, bottom), (left, top), (left, bottom)];
+        let (x, y) = corners.into_iter().min_by_key(covered).expect("there are four");
         _ = writeln!(
             svg,
             "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"white\" fill-opacity=\"0.8\" stroke=\"#ccc\"/>"
@@ -138,16 +150,17 @@ impl LineChart {
     }
 }
 
-/// A line through the values there are, and a dot at each.
-fn line(svg: &mut String, series: &Series, color: &str, x_axis: &Axis, y_axis: &Axis) {
+/// A line through the values there are, and a dot at each; where the dots are.
+fn line(svg: &mut String, series: &Series, color: &str, x_axis: &Axis, y_axis: &Axis) -> Vec<(f64, f64)> {
     let known =
         series.values.iter().enumerate().filter_map(|(x, y)| Some((x_axis.place(x as f64), y_axis.place((*y)?))));
     let points: Vec<(f64, f64)> = known.collect();
     let path: Vec<_> = points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     _ = writeln!(svg, "<polyline points=\"{}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>", path.join(" "));
-    for (x, y) in points {
-        _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{color}\"/>");
+    for (x, y) in &points {
+        _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{DOT}\" fill=\"{color}\"/>");
     }
+    points
 }
 
 #[cfg(test)]

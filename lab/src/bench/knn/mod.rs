@@ -4,10 +4,10 @@ mod page;
 mod reuse;
 mod sets;
 
+use crate::bench::page::{FigurePage, PageLine};
 use crate::note;
 use crate::{Figures, LabError};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
-use page::{KnnLine, KnnPage};
 use pointcore::area::recorded::{Clock, ClockOrigin};
 use pointcore::search::{
     MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchOutcome, SearchReport, SearchRun,
@@ -135,7 +135,7 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
 }
 
 /// Every point as a query in random order, hardware in lockstep, every distance compared with brute force.
-fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     let queries = cloud.queries(Order::Random, None, NEIGHBORS);
     for shape in [ONE_LANE, FOUR_LANES] {
         note!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
@@ -163,12 +163,12 @@ fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Re
 }
 
 /// Cycles a query with more and more threads.
-fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     let queries = cloud.queries(Order::Random, Some(SAMPLE), NEIGHBORS);
     let counts = [1, 2, 4, 8, 16, 32];
     let mut lines = Vec::new();
     for (shape, name) in [(ONE_LANE, "one lane"), (FOUR_LANES, "four lanes")] {
-        let mut line = KnnLine::new(name);
+        let mut line = PageLine::new(name);
         for threads in counts {
             note!("{}: {name}, {threads} threads", cloud.name);
             let config = Config { threads, ..shape.config(cloud.points.points().len(), NEIGHBORS) };
@@ -190,11 +190,11 @@ fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> R
 }
 
 /// Cycles a query for more neighbors, in random and in coherent order.
-fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     let counts = [8, 16, 32];
     let mut lines = Vec::new();
     for order in [Order::Random, Order::Morton] {
-        let mut line = KnnLine::new(&order.to_string());
+        let mut line = PageLine::new(&order.to_string());
         for k in counts {
             note!("{}: {order} order, k = {k}", cloud.name);
             let queries = cloud.queries(order, Some(SAMPLE), k);
@@ -235,7 +235,7 @@ fn cpu_figures(cloud: &Cloud, figures: &mut Figures) {
 /// The points cannot be loaded, a search fails, or the folder cannot be written.
 pub fn figures(scan: Option<&Path>, models: &[PathBuf], folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
     let cloud = Cloud::new(scan)?;
-    let mut page = KnnPage::new(folder, &cloud.source.to_string());
+    let mut page = FigurePage::new(folder, "Neighbor search", &cloud.source.to_string());
     bound_figures(&cloud, figures, &mut page)?;
     thread_figures(&cloud, figures, &mut page)?;
     order_figures(&cloud, figures, &mut page)?;

@@ -1,47 +1,16 @@
-//! What the benchmark of the search core shows to people: charts, and tables with the thesis' own beside them.
+//! What the benchmark of the search core shows beside its charts: tables with the thesis' own beside them.
 
-use crate::chart::lines::{LineChart, Series};
-use crate::{LabError, write};
+use crate::LabError;
+use crate::bench::page::FigurePage;
 use pointcore::search::resources::{arithmetic, storage};
 use pointcore::search::{SearchCore, SearchReport};
 use pointcore_contract::search::Config;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
 
 /// Cycles a query of the thesis' prototype: 75 MHz by the throughput that figure 6.12 shows for k = 10.
 const PROTOTYPE_CYCLES: f64 = 140.0;
 
-/// Values of one kind over the categories of a chart.
-pub struct KnnLine {
-    name: String,
-    values: Vec<Option<f64>>,
-}
-
-impl KnnLine {
-    /// A line without values.
-    pub fn new(name: &str) -> Self {
-        Self { name: name.to_owned(), values: Vec::new() }
-    }
-
-    /// The next category's value.
-    pub fn push(&mut self, value: f64) {
-        self.values.push(Some(value));
-    }
-}
-
-/// A page in the making.
-pub struct KnnPage {
-    folder: PathBuf,
-    text: String,
-}
-
-impl KnnPage {
-    /// A page about the search among these points.
-    pub fn new(folder: &Path, points: &str) -> Self {
-        let text = format!("# Neighbor search, measured\n\nPoints: {points}\n");
-        Self { folder: folder.to_owned(), text }
-    }
-
+impl FigurePage {
     /// What one shape of core takes, beside what bounds it.
     pub fn bound(&mut self, lanes: u32, report: &SearchReport) {
         let ratio = PROTOTYPE_CYCLES / report.cycles_per_query;
@@ -56,41 +25,6 @@ impl KnnPage {
         }
         let percent = 100.0 * report.share_of_bound;
         _ = writeln!(self.text, "\nBound by {}: {percent:.0} % of the cycles.", report.bound.name);
-    }
-
-    /// A chart, and its values as a table.
-    pub fn lines(
-        &mut self,
-        file: &str,
-        title: &str,
-        x: &str,
-        y: &str,
-        categories: &[String],
-        lines: Vec<KnnLine>,
-    ) -> Result<(), LabError> {
-        _ = writeln!(
-            self.text,
-            "\n## {title}\n\n| {x} | {} |\n|---|{}",
-            categories.join(" | "),
-            "---|".repeat(categories.len())
-        );
-        for KnnLine { name, values } in &lines {
-            let cell = |value: &Option<f64>| value.map_or(String::new(), |value| format!("{value:.3}"));
-            let cells: Vec<_> = values.iter().map(cell).collect();
-            _ = writeln!(self.text, "| {name} | {} |", cells.join(" | "));
-        }
-        _ = writeln!(self.text, "\n![{title}]({file}.svg)");
-        let series = lines.into_iter().map(|KnnLine { name, values }| Series { name, values }).collect();
-        let [title, x, y] = [title, x, y].map(str::to_owned);
-        let chart = LineChart { title, x, y, categories: categories.to_vec(), series };
-        // The page so far: a run that is interrupted leaves what it has.
-        write(&self.folder.join("README.md"), &self.text)?;
-        chart.save_svg(&self.folder.join(format!("{file}.svg")))
-    }
-
-    /// Text of its own.
-    pub fn paragraph(&mut self, text: &str) {
-        _ = writeln!(self.text, "\n{text}");
     }
 
     /// Storage and arithmetic units of a core as generated, beside thesis tables 6.3 and 6.2.
@@ -132,10 +66,5 @@ impl KnnPage {
             _ = writeln!(self.text, "| {} | {} | {} | {search} | {cache} |", row.kind, row.search, row.cache);
         }
         Ok(())
-    }
-
-    /// Writes the page.
-    pub fn save(self) -> Result<(), LabError> {
-        write(&self.folder.join("README.md"), &self.text)
     }
 }

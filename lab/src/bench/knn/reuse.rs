@@ -1,7 +1,7 @@
 //! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
 
-use super::page::{KnnLine, KnnPage};
 use super::{Cloud, FOUR_LANES, Setting, THREADS, search};
+use crate::bench::page::{FigurePage, PageLine};
 use crate::note;
 use crate::{Figures, LabError};
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
@@ -76,12 +76,12 @@ fn run(cloud: &Cloud, queries: &[Query], cache: Cache, reuse: Reuse) -> Result<S
 }
 
 /// k nearest neighbors at rising tolerance.
-fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     let queries = queries(cloud, 8, NEIGHBORS, None);
     let mut lines = Vec::new();
     for cache in CACHES {
         let Cache { entries, key: which, .. } = cache;
-        let mut line = KnnLine::new(&format!("{entries} entries"));
+        let mut line = PageLine::new(&format!("{entries} entries"));
         for (epsilon, name) in EPSILONS {
             note!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
             let found = run(cloud, &queries, cache, Reuse { epsilon, ..Reuse::default() })?;
@@ -108,12 +108,12 @@ fn radii(cloud: &Cloud) -> Result<Vec<f32>, LabError> {
 }
 
 /// Ball queries in patterns of rising density.
-fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     let radii = radii(cloud)?;
     let mut lines = Vec::new();
     for cache in CACHES {
         let Cache { entries, key: which, .. } = cache;
-        let mut line = KnnLine::new(&format!("{entries} entries"));
+        let mut line = PageLine::new(&format!("{entries} entries"));
         for side in SIDES {
             note!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
             let reuse = Reuse { epsilon: 0.0, alpha: ALPHA };
@@ -128,7 +128,7 @@ fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Res
 }
 
 /// Both, with what the thesis reports beside them.
-pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
+pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut FigurePage) -> Result<(), LabError> {
     nearest_figures(cloud, figures, page)?;
     page.paragraph("The thesis reports more than half of the searches saved at ε = 0.1, and few for exact neighbors (6.7.1, eight entries).");
     ball_figures(cloud, figures, page)?;
