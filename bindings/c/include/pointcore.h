@@ -28,6 +28,8 @@ typedef enum {
   POINTCORE_BACK_END_VERILOG = 1,
   // The generated Verilog under Verilator, every output compared with the golden model in every cycle.
   POINTCORE_BACK_END_VERILOG_IN_LOCKSTEP = 2,
+  // The golden interpreter of programs: bit-exact, without time.
+  POINTCORE_BACK_END_INTERPRETER = 3,
 } PointcoreBackEnd;
 
 // A frame.
@@ -35,6 +37,12 @@ typedef struct PointcoreFrame PointcoreFrame;
 
 // Hardware that something calls for.
 typedef struct PointcorePlan PointcorePlan;
+
+// A program, and what carries it out.
+typedef struct PointcoreProcess PointcoreProcess;
+
+// What left with queries.
+typedef struct PointcoreProcessed PointcoreProcessed;
 
 // A scene, and the core that renders it.
 typedef struct PointcoreRender PointcoreRender;
@@ -44,6 +52,68 @@ typedef struct PointcoreScene PointcoreScene;
 
 // Points in a tree, and a core that searches it.
 typedef struct PointcoreSearch PointcoreSearch;
+
+// Numbers that have a name: an attribute of points, or a setting.
+typedef struct {
+  // The name.
+  const char *name;
+  // `components * count` numbers.
+  const double *values;
+  // 1, or 3 of a vector.
+  size_t components;
+  // One for each point, or 1: the same for all. 1 of a setting.
+  size_t count;
+} PointcoreNamedNumbers;
+
+// Points with their attributes, which are copied.
+typedef struct {
+  // Where they are: three numbers each.
+  const double *points;
+  // How many there are.
+  size_t count;
+  // What is known of each: `attributes_count` attributes. Normals, areas and masses that are missing are estimated.
+  const PointcoreNamedNumbers *attributes;
+  // How many attributes there are.
+  size_t attributes_count;
+} PointcoreCloud;
+
+// What is asked of a program.
+typedef struct {
+  // Neighbors of a query at most, 1 to 64, itself among them.
+  uint32_t k;
+  // Only neighbors nearer than this count; INFINITY for all.
+  double radius;
+  // Iterations of a query at most, 1 to 65535; one that is not done by then is capped.
+  uint32_t iterations;
+  // How often the points are replaced by what leaves, 1 at least.
+  uint32_t passes;
+  // Columns and rows of queries around each point, for "resample"; 0 and 0 for the usual ones.
+  uint32_t pattern[2];
+  // Settings, `settings_count`; those that are not given follow from the points.
+  const PointcoreNamedNumbers *settings;
+  // How many settings there are.
+  size_t settings_count;
+} PointcoreProcessOptions;
+
+// The arrays of what left with queries, in their order, valid until it is closed.
+typedef struct {
+  // How many queries there were.
+  size_t count;
+  // Where they lie in the end, three numbers each: the output `position`, or where they began without it.
+  const double *positions;
+  // Iterations of each.
+  const uint32_t *iterations;
+  // Neighbors of each in its last iteration; NULL of a point processor, which does not tell.
+  const uint32_t *neighbors;
+  // 1 for a query that was not done, but had no iteration left, 0 for others.
+  const uint8_t *capped;
+  // The output `valid`: 0 where there is no surface, say; NULL of a program without it.
+  const uint8_t *valid;
+  // Cycles from the first query to the last result, of all programs and passes; 0 of the interpreter.
+  uint64_t cycles;
+  // The report's figures, a JSON object.
+  const char *report;
+} PointcoreProcessedArrays;
 
 // The arrays of a frame, row by row from the top left, valid until it is closed.
 typedef struct {
@@ -149,6 +219,66 @@ void pointcore_plan_close(PointcorePlan *plan);
 PointcoreStatus pointcore_generate(const char *configuration,
                                    const char *folder,
                                    const char *name);
+
+// Reads a program: the name of an operation, such as "normals", or of one of its programs, the path of a `.pasm` file,
+// or a text of several lines (docs/programs.md).
+//
+// `configuration` is the point processor's, as TOML, or NULL for one that follows from the points; `back_end` is one of
+// `PointcoreBackEnd`. The hardware is generated when it is first used. `pointcore_process_close` ends it.
+//
+// # Safety
+// `program` is a C string, `configuration` NULL or one, `process` a place for a handle.
+PointcoreStatus pointcore_process_open(const char *program,
+                                       const char *configuration,
+                                       uint32_t back_end,
+                                       PointcoreProcess **process);
+
+// Carries a program out for each point, or for each of some queries instead (NULL for none). Options may be NULL: 16
+// neighbors, 16 iterations, one pass. `pointcore_processed_close` ends what is given.
+//
+// # Safety
+// `process` is open, `points`, `queries` and `options` are structures whose pointers hold what they say, the latter two
+// or NULL, `processed` is a place for a handle.
+PointcoreStatus pointcore_process(const PointcoreProcess *process,
+                                  const PointcoreCloud *points,
+                                  const PointcoreCloud *queries,
+                                  const PointcoreProcessOptions *options,
+                                  PointcoreProcessed **processed);
+
+// Ends a program; NULL is none. What left stays.
+//
+// # Safety
+// `process` is NULL or open, and no thread uses it any more.
+void pointcore_process_close(PointcoreProcess *process);
+
+// What left under a name, `components` numbers for each query, in their order: ints and truth values, too, all exact;
+// NULL if there is no output of the name. Valid until what left is closed. `components` may be NULL.
+//
+// # Safety
+// `processed` is open, `name` a C string, `components` NULL or a place for a number.
+const double *pointcore_processed_output(const PointcoreProcessed *processed,
+                                         const char *name,
+                                         size_t *components);
+
+// The name of the program's output of this number, which counts from 0; NULL if there are not as many. Valid until
+// what left is closed.
+//
+// # Safety
+// `processed` is NULL or open.
+const char *pointcore_processed_name(const PointcoreProcessed *processed,
+                                     size_t index);
+
+// The arrays of what left; all NULL and 0 for NULL.
+//
+// # Safety
+// `processed` is NULL or open.
+PointcoreProcessedArrays pointcore_processed_arrays(const PointcoreProcessed *processed);
+
+// Ends what left; NULL is none.
+//
+// # Safety
+// `processed` is NULL or open, and no thread uses it or its arrays any more.
+void pointcore_processed_close(PointcoreProcessed *processed);
 
 // Generates the core of a scene, or of a configuration given as TOML instead of NULL; `back_end` is one of
 // `PointcoreBackEnd`. `pointcore_render_close` ends it.

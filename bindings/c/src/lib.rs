@@ -8,12 +8,16 @@ mod arguments;
 #[cfg(test)]
 mod header;
 mod plan;
+mod process;
+mod processed;
 mod render;
 mod scene;
 mod search;
 mod status;
 
 pub use plan::*;
+pub use process::*;
+pub use processed::*;
 pub use render::*;
 pub use scene::*;
 pub use search::*;

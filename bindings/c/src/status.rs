@@ -30,6 +30,8 @@ pub enum BackEnd {
     Verilog = 1,
     /// The generated Verilog under Verilator, every output compared with the golden model in every cycle.
     VerilogInLockstep = 2,
+    /// The golden interpreter of programs: bit-exact, without time.
+    Interpreter = 3,
 }
 
 /// The back end of a number, which C may have from anywhere.
@@ -38,6 +40,7 @@ pub(crate) fn engine(back_end: u32) -> Result<Engine, BindingError> {
         (BackEnd::Golden, Engine::Golden),
         (BackEnd::Verilog, Engine::Verilog),
         (BackEnd::VerilogInLockstep, Engine::VerilogInLockstep),
+        (BackEnd::Interpreter, Engine::Interpreter),
     ];
     let found = known.into_iter().find(|(number, _)| *number as u32 == back_end);
     let wrong = || BindingError::input(format!("the back end is {back_end}: expected a value of PointcoreBackEnd"));
@@ -107,6 +110,6 @@ mod tests {
     #[test]
     fn back_ends_are_known_by_number() {
         assert_eq!(engine(BackEnd::VerilogInLockstep as u32), Ok(Engine::VerilogInLockstep));
-        assert!(engine(3).is_err());
+        assert!(engine(4).is_err());
     }
 }

@@ -4,7 +4,10 @@ use crate::BindingError;
 use pointcore::search::SearchEngine;
 use pointcore::splat::RenderEngine;
 
-/// What computes a frame or answers a search. There will be more: a board behind AXI is another one.
+/// Where the interpreter has nothing to interpret.
+const NO_PROGRAM: &str = "the interpreter carries out programs alone: expected another back end";
+
+/// What computes a frame, carries a program out, or answers a search. There will be more: a board behind AXI is another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BackEnd {
@@ -15,6 +18,8 @@ pub enum BackEnd {
     Verilog,
     /// The generated Verilog under Verilator, every output compared with the golden model in every cycle.
     VerilogInLockstep,
+    /// The golden interpreter of programs: bit-exact, without time.
+    Interpreter,
 }
 
 impl BackEnd {
@@ -27,8 +32,12 @@ impl BackEnd {
             ("golden", false) => Ok(Self::Golden),
             ("verilog", false) => Ok(Self::Verilog),
             ("verilog", true) => Ok(Self::VerilogInLockstep),
-            ("golden", true) => Err(BindingError::input("lockstep goes with the back end \"verilog\"")),
-            _ => Err(BindingError::input(format!("the back end is {name:?}: expected \"golden\" or \"verilog\""))),
+            ("interpreter", false) => Ok(Self::Interpreter),
+            ("golden" | "interpreter", true) => Err(BindingError::input("lockstep goes with the back end \"verilog\"")),
+            _ => {
+                let expected = "expected \"golden\" or \"verilog\", or \"interpreter\" for programs";
+                Err(BindingError::input(format!("the back end is {name:?}: {expected}")))
+            }
         }
     }
 
@@ -38,22 +47,30 @@ impl BackEnd {
         match self {
             Self::Golden => "golden",
             Self::Verilog | Self::VerilogInLockstep => "verilog",
+            Self::Interpreter => "interpreter",
         }
     }
 
-    pub(crate) const fn search(self) -> SearchEngine {
+    /// What runs the point processor; none for the interpreter.
+    pub(crate) const fn process(self) -> Option<SearchEngine> {
         match self {
-            Self::Golden => SearchEngine::Golden,
-            Self::Verilog => SearchEngine::Hardware,
-            Self::VerilogInLockstep => SearchEngine::Lockstep,
+            Self::Golden => Some(SearchEngine::Golden),
+            Self::Verilog => Some(SearchEngine::Hardware),
+            Self::VerilogInLockstep => Some(SearchEngine::Lockstep),
+            Self::Interpreter => None,
         }
     }
 
-    pub(crate) const fn render(self) -> RenderEngine {
+    pub(crate) fn search(self) -> Result<SearchEngine, BindingError> {
+        self.process().ok_or_else(|| BindingError::input(NO_PROGRAM))
+    }
+
+    pub(crate) fn render(self) -> Result<RenderEngine, BindingError> {
         match self {
-            Self::Golden => RenderEngine::Golden,
-            Self::Verilog => RenderEngine::Hardware,
-            Self::VerilogInLockstep => RenderEngine::Lockstep,
+            Self::Golden => Ok(RenderEngine::Golden),
+            Self::Verilog => Ok(RenderEngine::Hardware),
+            Self::VerilogInLockstep => Ok(RenderEngine::Lockstep),
+            Self::Interpreter => Err(BindingError::input(NO_PROGRAM)),
         }
     }
 }

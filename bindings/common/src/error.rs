@@ -4,6 +4,7 @@ use pointcore::configuration::ConfigurationError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::plan::PlanError;
+use pointcore::process::ProcessError;
 use pointcore::scene::SceneError;
 use pointcore::search::SearchError;
 use pointcore::splat::RenderError;
@@ -87,13 +88,18 @@ fn panicked(payload: &(dyn Any + Send)) -> BindingError {
 }
 
 /// Errors that tell their kind.
-trait Kind {
+trait Kind: std::fmt::Display {
     fn kind(&self) -> ErrorKind;
+
+    /// What is wrong, without the names of the command's options.
+    fn message(&self) -> String {
+        self.to_string()
+    }
 }
 
-impl<E: Kind + std::fmt::Display> From<E> for BindingError {
+impl<E: Kind> From<E> for BindingError {
     fn from(error: E) -> Self {
-        Self { kind: error.kind(), message: error.to_string() }
+        Self { kind: error.kind(), message: error.message() }
     }
 }
 
@@ -145,6 +151,43 @@ impl Kind for SearchError {
             Self::Lockstep(error) => error.kind(),
             Self::Generate(_) | Self::Stuck { .. } => ErrorKind::Hardware,
             _ => ErrorKind::Input,
+        }
+    }
+}
+
+impl Kind for ProcessError {
+    fn kind(&self) -> ErrorKind {
+        match self {
+            Self::Points(error) => error.kind(),
+            Self::Model(error) => error.kind(),
+            Self::Read { .. } => ErrorKind::File,
+            Self::Generate(_) => ErrorKind::Hardware,
+            _ => ErrorKind::Input,
+        }
+    }
+
+    fn message(&self) -> String {
+        match self {
+            Self::Operation { name, known } => {
+                let known = known.join(", ");
+                format!(
+                    "there is no operation `{name}`: expected {known}, the path of a .pasm file, or a program's text"
+                )
+            }
+            Self::MissingSetting { program, field } => {
+                let told = format!("setting `{}` of `{program}` does not follow from the points", field.name);
+                told + ": expected it among the settings"
+            }
+            Self::MissingAttribute { points, program, whose, field } => {
+                let name = &field.name;
+                format!("{points}: `{program}` reads {whose}.{name} ({}): expected an attribute `{name}`", field.ty)
+            }
+            Self::Attribute { points, name, index, problem } => format!("{points}: {name} of vertex {index} {problem}"),
+            Self::NoScale { points, setting } => format!(
+                "{points}: all points lie in one place, so there is no spacing to derive `{setting}` from: \
+                 expected a radius, or `{setting}` among the settings"
+            ),
+            _ => self.to_string(),
         }
     }
 }

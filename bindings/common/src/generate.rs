@@ -4,6 +4,7 @@ use crate::BindingError;
 use crate::search::CONFIGURATION;
 use pointcore::configuration::{self, Configuration};
 use pointcore::package::Package;
+use pointcore::points::PointsCore;
 use pointcore::search::SearchCore;
 use pointcore::splat::SplatCore;
 use std::path::{Path, PathBuf};
@@ -21,6 +22,7 @@ pub fn generate(configuration: &str, folder: &Path, name: &str) -> Result<Vec<Pa
     let package = match configuration::parse(Path::new(CONFIGURATION), configuration)? {
         Configuration::Splat(config) => Package::splat(name, &SplatCore::generate(&config)?, &config)?,
         Configuration::Search(config) => Package::search(name, &SearchCore::generate(&config)?, &config)?,
+        Configuration::Points(config) => Package::points(name, &PointsCore::generate(&config)?, &config)?,
     };
     std::fs::create_dir_all(folder).map_err(|error| BindingError::write(folder, &error))?;
     let write = |(name, text): (String, String)| {

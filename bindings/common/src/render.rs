@@ -53,12 +53,12 @@ impl Render {
         let plan = match configuration.map(|text| configuration::parse(Path::new(CONFIGURATION), text)).transpose()? {
             None => Plan::of(scene)?,
             Some(Configuration::Splat(config)) => Plan::on(scene, &config)?,
-            Some(Configuration::Search(_)) => {
-                let problem = "is for the search core: rendering needs one with the line `kind = \"splat\"`";
+            Some(Configuration::Search(_) | Configuration::Points(_)) => {
+                let problem = "is not for the renderer: rendering needs one with the line `kind = \"splat\"`";
                 return Err(configuration::wrong(Path::new(CONFIGURATION), problem).into());
             }
         };
-        let session = RenderSession::on(scene.clone(), plan, back_end.render(), Trace::Off)?;
+        let session = RenderSession::on(scene.clone(), plan, back_end.render()?, Trace::Off)?;
         Ok(Self { frames: session.frames(), session: Mutex::new(session), back_end })
     }
 
@@ -203,7 +203,7 @@ mod tests {
         let search = "kind = \"search\"";
         let scene = Scene::new(&wall(), &view([0.0, 0.0, 10.0])).expect("it is sound");
         let error = Render::open(&scene, Some(search), BackEnd::Golden).err().expect("it is no renderer's");
-        assert!(error.message.contains("is for the search core"), "{error}");
+        assert!(error.message.contains("is not for the renderer"), "{error}");
         let missing = Scene::load(Path::new("no/such.toml")).expect_err("there is none");
         assert_eq!(missing.kind, ErrorKind::File);
     }

@@ -66,7 +66,7 @@ impl Search {
         let points = PointSet::recentered(config.geometry, points)?;
         Rounding::of(&points, settings.k).check()?;
         let tree = Tree::build(&config, &points, Splitting::Packed)?;
-        let session = Session::open(config.clone(), tree, MemorySettings::default(), settings.back_end.search())?;
+        let session = Session::open(config.clone(), tree, MemorySettings::default(), settings.back_end.search()?)?;
         Ok(Self { points, config, session })
     }
 

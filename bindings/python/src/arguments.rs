@@ -3,34 +3,42 @@
 use crate::error::{raised, wrong};
 use crate::plan::Plan;
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
-use pointcore_bindings::BackEnd;
+use pointcore_bindings::{BackEnd, Named, shape_text};
 use pyo3::prelude::*;
-use pyo3::types::IntoPyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
-/// The numbers of an array in the order of its indices, and its shape.
+/// The kind of numpy's types of floats, and those of whole numbers and truth values.
+const FLOATS: &str = "f";
+const WHOLE: &str = "iub";
+
+/// The numbers of an array of floats in the order of its indices, and its shape.
 fn numbers(name: &str, given: &Bound<'_, PyAny>, shape: &str) -> PyResult<(Vec<f64>, Vec<usize>)> {
     let Ok(array) = given.cast::<PyUntypedArray>() else {
         let found = given.get_type().name()?;
         return Err(wrong(format!("{name} is of type {found}: expected a numpy array of float32 or float64, {shape}")));
     };
-    let dtype = array.dtype();
-    let (kind, size): (char, usize) = (dtype.getattr("kind")?.extract()?, dtype.getattr("itemsize")?.extract()?);
-    if kind != 'f' || !matches!(size, 4 | 8) {
-        return Err(wrong(format!("{name} has dtype {dtype}: expected float32 or float64")));
+    let (kind, size) = type_of(array)?;
+    if !FLOATS.contains(kind) || !matches!(size, 4 | 8) {
+        return Err(wrong(format!("{name} has dtype {}: expected float32 or float64", array.dtype())));
     }
+    in_order(array)
+}
+
+/// The kind of an array's numbers, and their bytes.
+fn type_of(array: &Bound<'_, PyUntypedArray>) -> PyResult<(char, usize)> {
+    let dtype = array.dtype();
+    Ok((dtype.getattr("kind")?.extract()?, dtype.getattr("itemsize")?.extract()?))
+}
+
+/// The numbers of an array in the order of its indices, and its shape.
+fn in_order(array: &Bound<'_, PyUntypedArray>) -> PyResult<(Vec<f64>, Vec<usize>)> {
     // numpy knows how to read every layout, alignment and order of bytes.
-    let python = given.py();
+    let python = array.py();
     let settings = [("dtype", "float64")].into_py_dict(python)?;
     let ordered = python.import("numpy")?.call_method("ascontiguousarray", (array,), Some(&settings))?;
     let ordered = ordered.cast_into::<PyArrayDyn<f64>>()?;
     let numbers = ordered.readonly().as_slice()?.to_vec();
     Ok((numbers, array.shape().to_vec()))
-}
-
-fn shape_text(shape: &[usize]) -> String {
-    let sizes: Vec<_> = shape.iter().map(usize::to_string).collect();
-    let comma = if sizes.len() == 1 { "," } else { "" };
-    format!("({}{comma})", sizes.join(", "))
 }
 
 /// An array of shape (N, 3).
@@ -52,6 +60,35 @@ pub fn number_or_column(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f6
         [_] => Ok(numbers),
         _ => Err(wrong(format!("{name} has shape {}: expected (N,), or a number", shape_text(&shape)))),
     }
+}
+
+/// Numbers by their names: of each a number, a row of them, or an array.
+pub fn named(what: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Named>> {
+    let one = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name: String = key.extract().map_err(|_| wrong(format!("{what} has the key {key}: expected a name")))?;
+        let (values, shape) = if let Ok(array) = value.cast::<PyUntypedArray>() {
+            let (kind, size) = type_of(array)?;
+            let is_number = WHOLE.contains(kind) || (FLOATS.contains(kind) && matches!(size, 4 | 8));
+            if !is_number {
+                let dtype = array.dtype();
+                return Err(wrong(format!(
+                    "`{name}` of {what} has dtype {dtype}: expected numbers of 64 bits at most"
+                )));
+            }
+            in_order(array)?
+        } else if let Ok(number) = value.extract::<f64>() {
+            (vec![number], vec![])
+        } else if let Ok(row) = value.extract::<Vec<f64>>() {
+            let shape = vec![row.len()];
+            (row, shape)
+        } else {
+            let found = value.get_type().name()?;
+            let expected = "expected a number, a sequence of three, or a numpy array";
+            return Err(wrong(format!("`{name}` of {what} is of type {found}: {expected}")));
+        };
+        Ok(Named { name, values, shape })
+    };
+    given.map_or_else(|| Ok(vec![]), |given| given.iter().map(one).collect())
 }
 
 /// A whole number from 0 up.

@@ -3,19 +3,22 @@
 mod arguments;
 mod error;
 mod plan;
+mod process;
 mod render;
 mod scene;
 mod search;
 
 use pyo3::prelude::*;
 
-/// Surface splatting and neighbor search on generated hardware.
+/// Surface splatting, neighbor search and programs on neighborhoods, on generated hardware.
 #[pymodule]
 mod pointcore {
     #[pymodule_export]
     use crate::error::{FileError, HardwareError, InputError, InternalError};
     #[pymodule_export]
     use crate::plan::{Plan, generate, plan};
+    #[pymodule_export]
+    use crate::process::{ProcessSession, Processed, process};
     #[pymodule_export]
     use crate::render::{Frame, RenderSession, render};
     #[pymodule_export]

@@ -55,8 +55,12 @@ def test_stubs_are_installed_and_say_what_the_module_has():
 
 
 @pytest.mark.skipif(not PAGE.exists(), reason="tested without the project around it")
-def test_the_documented_example_runs(tmp_path, monkeypatch):
-    (example,) = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.DOTALL)
+def test_the_documented_examples_run(tmp_path, monkeypatch):
+    examples = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.DOTALL)
     monkeypatch.chdir(tmp_path)
-    exec(compile(example, str(PAGE), "exec"), {})
-    assert (tmp_path / "out" / "verilog" / "search_top.v").exists()
+    own = [{} for _ in examples]
+    for example, names in zip(examples, own, strict=True):
+        exec(compile(example, str(PAGE), "exec"), names)
+    generating, processing = own
+    assert (tmp_path / "out" / "verilog" / "search_top.v").exists() and generating["found"].counts.all()
+    assert processing["found"].valid.all() and processing["timed"].cycles and processing["timed"]["mean"] > 0.9
