@@ -1,6 +1,6 @@
 //! `splat_splitter` against its model, in every cycle.
 
-use pointcore_contract::splat::records::{ImageRectangle, SetupSplat, SplatCopy};
+use pointcore_contract::splat::records::{ImageDiagonals, ImageRectangle, SetupSplat, SplatCopy};
 use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Splitter;
 use pointcore_hdl::splat::splitter;
@@ -9,7 +9,7 @@ use crate::splat::{Device, configs, scene};
 
 const SPLATS: u64 = 500;
 
-/// Fields of noise with a rectangle within the image: mostly a small one, sometimes one of any size.
+/// Fields of noise with a rectangle within the image: mostly a small one, sometimes one of any size; and an octagon in it, or noise for one.
 fn splats(config: &Config) -> Vec<SetupSplat> {
     let mut random = scene::random();
     let splat = |index| {
@@ -19,7 +19,20 @@ fn splats(config: &Config) -> Vec<SetupSplat> {
             let first = random.u32(0..edge);
             [first, random.u32(first..edge.min(first.saturating_add(extent)))].map(|pixel| pixel as u16)
         });
-        SetupSplat { end: index % 100 == 99, bounds: ImageRectangle { left, right, top, bottom }, ..noise }
+        let per_pixel = config.sampling.columns() as u16;
+        let row_mask = (1 << config.row_bits()) - 1;
+        // Of two pixels within the rectangle, so that something of it is left.
+        let mut pixel = || [random.u16(left..=right) / per_pixel, random.u16(top..=bottom)];
+        let [[a, b], [c, d]] = [pixel(), pixel()];
+        let [sums, differences] = [[a + b, c + d], [a + (row_mask - b), c + (row_mask - d)]];
+        let mut limits = |[a, b]: [u16; 2]| {
+            let [below, above] = [random.u16(..12), random.u16(..12)];
+            [a.min(b).saturating_sub(below), (a.max(b) + above).min((1 << config.diagonal_bits()) - 1)]
+        };
+        let ([first_sum, last_sum], [first_difference, last_difference]) = (limits(sums), limits(differences));
+        let octagon = ImageDiagonals { first_sum, last_sum, first_difference, last_difference };
+        let diagonals = if random.u8(0..8) == 0 { noise.diagonals } else { octagon };
+        SetupSplat { end: index % 100 == 99, bounds: ImageRectangle { left, right, top, bottom }, diagonals, ..noise }
     };
     (0..SPLATS).map(splat).collect()
 }

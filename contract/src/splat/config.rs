@@ -222,6 +222,13 @@ impl Config {
         self.tile_row_bits() + TILE_SIZE.ilog2()
     }
 
+    /// Bits of a sum of a pixel's column and row.
+    #[must_use]
+    pub const fn diagonal_bits(&self) -> u32 {
+        let (columns, rows) = (self.column_bits() - self.sampling.columns().ilog2(), self.row_bits());
+        1 + if columns < rows { rows } else { columns }
+    }
+
     /// Bits of a tile column, at least one.
     #[must_use]
     pub const fn tile_column_bits(&self) -> u32 {

@@ -1,15 +1,34 @@
-//! Splitter: a splat's rectangle, cut at tile boundaries into one copy a tile, row by row (thesis 5.5.1).
+//! Splitter: a splat's octagon, cut at tile boundaries into one copy a tile, row by row (thesis 5.5.1).
 //!
-//! A copy every second cycle while the output has room. An end record makes one end copy.
+//! A tile every second cycle while the output has room: in the first its diagonals are found, in the second its copy is made, if any of the
+//! octagon lies in the tile. An end record makes one end copy.
 
 use crate::stream::HalfBuffer;
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
-use pointcore_contract::splat::records::{SetupSplat, SplatCopy, TileRectangle};
+use pointcore_contract::splat::records::{ImageDiagonals, SetupSplat, SplatCopy, TileDiagonals, TileRectangle};
 pub use pointcore_contract::splat::units::splitter::{In, Out};
 
 const SIZE: u16 = TILE_SIZE as u16;
+/// The last row of a tile, and its last column of pixels at most.
+const LAST: i32 = TILE_SIZE as i32 - 1;
+
+/// How the image is cut.
+#[derive(Clone, Copy, Debug)]
+struct Grid {
+    tile_column_bits: u32,
+    row_bits: u32,
+    /// Samples in a row of a pixel.
+    columns: u16,
+}
+
+/// First and last of a tile's sums and differences, from one beyond either end.
+#[derive(Clone, Copy, Debug)]
+struct Diagonals {
+    sum: [i32; 2],
+    difference: [i32; 2],
+}
 
 /// The splat that is being cut and the tile that comes next.
 #[derive(Clone, Copy, Debug)]
@@ -17,11 +36,14 @@ struct Work {
     splat: SetupSplat,
     tile_column: u16,
     tile_row: u16,
+    /// Those of the current tile, once they are known.
+    diagonals: Option<Diagonals>,
 }
 
 impl Work {
     fn new(splat: SetupSplat) -> Self {
-        Self { splat, tile_column: splat.bounds.left / SIZE, tile_row: splat.bounds.top / SIZE }
+        let (tile_column, tile_row) = (splat.bounds.left / SIZE, splat.bounds.top / SIZE);
+        Self { splat, tile_column, tile_row, diagonals: None }
     }
 
     fn is_last(&self) -> bool {
@@ -31,22 +53,52 @@ impl Work {
 
     fn next(self) -> Self {
         let bounds = &self.splat.bounds;
-        if self.tile_column == bounds.right / SIZE {
-            Self { tile_column: bounds.left / SIZE, tile_row: self.tile_row + 1, ..self }
+        let (tile_column, tile_row) = if self.tile_column == bounds.right / SIZE {
+            (bounds.left / SIZE, self.tile_row + 1)
         } else {
-            Self { tile_column: self.tile_column + 1, ..self }
+            (self.tile_column + 1, self.tile_row)
+        };
+        Self { tile_column, tile_row, diagonals: None, ..self }
+    }
+
+    /// The splat's diagonals, counted from the current tile's first pixel.
+    fn diagonals(&self, grid: Grid) -> Diagonals {
+        let ImageDiagonals { first_sum, last_sum, first_difference, last_difference } = self.splat.diagonals;
+        let column = i32::from(self.tile_column * (SIZE / grid.columns));
+        let [above, below] = [self.tile_row * SIZE, (1 << grid.row_bits) - (self.tile_row + 1) * SIZE].map(i32::from);
+        let from = |origin: i32, first: u16, last: u16| {
+            [(i32::from(first) - origin).clamp(0, 2 * LAST + 1), (i32::from(last) - origin).clamp(-1, 2 * LAST)]
+        };
+        Diagonals {
+            sum: from(column + above, first_sum, last_sum),
+            difference: from(column + below, first_difference, last_difference),
         }
     }
 
-    fn copy(&self, tile_column_bits: u32) -> SplatCopy {
-        let SetupSplat { end, footprint, attributes, bounds } = self.splat;
+    /// The copy for the current tile; `None` if none of the octagon lies in it.
+    fn copy(&self, grid: Grid, diagonals: Diagonals) -> Option<SplatCopy> {
+        let SetupSplat { end, footprint, attributes, bounds, .. } = self.splat;
         if end {
-            return SplatCopy { end, ..SplatCopy::default() };
+            return Some(SplatCopy { end, ..SplatCopy::default() });
         }
         let (left, right) = intersection(bounds.left, bounds.right, self.tile_column);
         let (top, bottom) = intersection(bounds.top, bounds.bottom, self.tile_row);
-        let tile = u32::from(self.tile_row) << tile_column_bits | u32::from(self.tile_column);
-        SplatCopy { end, footprint, attributes, bounds: TileRectangle { left, right, top, bottom }, tile }
+        let tile = u32::from(self.tile_row) << grid.tile_column_bits | u32::from(self.tile_column);
+        let Diagonals { sum: [first_sum, last_sum], difference: [first_difference, last_difference] } = diagonals;
+        let [first, last] = [left, right].map(|column| i32::from(column / grid.columns));
+        // In a row without a pixel one of what limits it from the left lies behind one of what limits it from the right.
+        let tops = [first_sum - last, LAST - last_difference + first, (first_sum + LAST - last_difference + 1) >> 1];
+        let bottoms = [last_sum - first, LAST - first_difference + last, (last_sum + LAST - first_difference) >> 1];
+        let top = tops.into_iter().fold(top.into(), i32::max);
+        let bottom = bottoms.into_iter().fold(bottom.into(), i32::min);
+        if top > bottom {
+            return None;
+        }
+        let [first_sum, last_sum, first_difference, last_difference, top, bottom] =
+            [first_sum, last_sum, first_difference, last_difference, top, bottom].map(|place| place as u16);
+        let bounds = TileRectangle { left, right, top, bottom };
+        let diagonals = TileDiagonals { first_sum, last_sum, first_difference, last_difference };
+        Some(SplatCopy { end, footprint, attributes, bounds, diagonals, tile })
     }
 }
 
@@ -59,7 +111,7 @@ fn intersection(first: u16, last: u16, tile: u16) -> (u16, u16) {
 /// The splitter.
 #[derive(Clone, Debug)]
 pub struct Splitter {
-    tile_column_bits: u32,
+    grid: Grid,
     work: Option<Work>,
     out: HalfBuffer<SplatCopy>,
 }
@@ -68,11 +120,21 @@ impl Splitter {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        Self { tile_column_bits: config.tile_column_bits(), work: None, out: HalfBuffer::default() }
+        let columns = config.sampling.columns() as u16;
+        let grid = Grid { tile_column_bits: config.tile_column_bits(), row_bits: config.row_bits(), columns };
+        Self { grid, work: None, out: HalfBuffer::default() }
+    }
+
+    /// The copies of a splat.
+    pub fn copies(&self, splat: &SetupSplat) -> impl Iterator<Item = SplatCopy> {
+        let grid = self.grid;
+        let works = std::iter::successors(Some(Work::new(*splat)), |work| (!work.is_last()).then(|| work.next()));
+        works.filter_map(move |work| work.copy(grid, work.diagonals(grid)))
     }
 
     fn in_ready(&self) -> bool {
-        self.out.in_ready() && self.work.as_ref().is_none_or(Work::is_last)
+        let is_done = |work: &Work| work.diagonals.is_some() && work.is_last();
+        self.out.in_ready() && self.work.as_ref().is_none_or(is_done)
     }
 }
 
@@ -87,9 +149,15 @@ impl Model for Splitter {
 
     fn clock(&mut self, inputs: &In) {
         let mut copy = None;
-        if self.out.in_ready() {
-            copy = self.work.map(|work| work.copy(self.tile_column_bits));
-            self.work = if self.in_ready() { inputs.input.map(Work::new) } else { self.work.map(Work::next) };
+        match self.work {
+            Some(work) if work.diagonals.is_none() => {
+                self.work = Some(Work { diagonals: Some(work.diagonals(self.grid)), ..work });
+            }
+            work if self.out.in_ready() => {
+                copy = work.and_then(|work| work.copy(self.grid, work.diagonals?));
+                self.work = if self.in_ready() { inputs.input.map(Work::new) } else { work.map(Work::next) };
+            }
+            _ => {}
         }
         self.out.step(copy, inputs.out_ready);
     }
@@ -98,14 +166,69 @@ impl Model for Splitter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::splat::rasterizer::columns;
+    use pointcore_contract::Sampling;
     use pointcore_contract::splat::records::ImageRectangle;
+
+    const OPEN: ImageDiagonals =
+        ImageDiagonals { first_sum: 0, last_sum: 0x1ff, first_difference: 0, last_difference: 0x1ff };
+
+    #[test]
+    fn copies_cover_exactly_the_octagon() {
+        let random = &mut fastrand::Rng::with_seed(1);
+        for sampling in [Sampling::Center, Sampling::Flipquad] {
+            let config = Config { width: 64, height: 40, sampling, ..Config::default() };
+            let samples = sampling.columns() as u16;
+            let splitter = Splitter::new(&config);
+            let mut empty = 0;
+            for _ in 0..2000 {
+                let mut range = |edge: u16| {
+                    let first = random.u16(..edge);
+                    [first, random.u16(first..edge)]
+                };
+                let ([left, right], [top, bottom]) = (range(64 / samples), range(40));
+                // Limits from any two pixels around the rectangle.
+                let sums = [(); 2].map(|()| range(70)[0] + range(40)[0]);
+                let differences = [(); 2].map(|()| range(70)[0] + range(64)[0]);
+                let [first_sum, last_sum] = [sums[0].min(sums[1]), sums[0].max(sums[1])];
+                let [first_difference, last_difference] =
+                    [differences[0].min(differences[1]), differences[0].max(differences[1])];
+                let bounds =
+                    ImageRectangle { left: left * samples, right: right * samples + samples - 1, top, bottom };
+                let diagonals = ImageDiagonals { first_sum, last_sum, first_difference, last_difference };
+                let splat = SetupSplat { bounds, diagonals, ..SetupSplat::default() };
+                let mut covered = vec![0; 64 * 40];
+                for copy in splitter.copies(&splat) {
+                    let (origin_x, origin_y) = ((copy.tile & 7) as u16 * 8, (copy.tile >> 3) as u16 * 8);
+                    assert!(copy.bounds.top <= copy.bounds.bottom);
+                    for y in copy.bounds.top..=copy.bounds.bottom {
+                        let columns = columns(sampling, &copy, y);
+                        assert!(!columns.is_empty(), "row {y} of {copy:?}");
+                        columns.for_each(|x| covered[usize::from(origin_y + y) * 64 + usize::from(origin_x + x)] += 1);
+                    }
+                }
+                empty += u32::from(covered.iter().all(|count| *count == 0));
+                for (index, count) in covered.into_iter().enumerate() {
+                    let (x, y) = ((index % 64) as u16 / samples, (index / 64) as u16);
+                    let [sum, difference] = [x + y, x + 63 - y];
+                    let inside = (left..=right).contains(&x)
+                        && (top..=bottom).contains(&y)
+                        && (first_sum..=last_sum).contains(&sum)
+                        && (first_difference..=last_difference).contains(&difference);
+                    assert_eq!(count, u32::from(inside), "({x}, {y}) of {bounds:?}, {diagonals:?}");
+                }
+            }
+            assert!((100..1500).contains(&empty), "{empty} octagons without a pixel");
+        }
+    }
 
     #[test]
     fn copies_cover_exactly_the_rectangle() {
         let config = Config { width: 64, height: 40, ..Config::default() };
         for (left, right, top, bottom) in [(0, 0, 0, 0), (7, 8, 7, 8), (3, 60, 5, 38), (8, 15, 16, 23), (0, 63, 0, 39)]
         {
-            let splat = SetupSplat { bounds: ImageRectangle { left, right, top, bottom }, ..SetupSplat::default() };
+            let bounds = ImageRectangle { left, right, top, bottom };
+            let splat = SetupSplat { bounds, diagonals: OPEN, ..SetupSplat::default() };
             let mut splitter = Splitter::new(&config);
             let mut covered = vec![0; 64 * 40];
             let mut input = Some(splat);
@@ -137,16 +260,17 @@ mod tests {
     fn splats_follow_each_other_without_a_gap() {
         let mut splitter = Splitter::new(&Config::default());
         let bounds = ImageRectangle { left: 4, right: 11, top: 0, bottom: 0 };
+        let splat = SetupSplat { bounds, diagonals: OPEN, ..SetupSplat::default() };
         let (mut accepted, mut copies) = (0, 0);
         for cycle in 0..42 {
             let out = splitter.outputs();
             accepted += u32::from(out.in_ready);
             copies += u32::from(out.out.is_some());
             assert!(
-                cycle < 2 || out.out.is_some() == (cycle % 2 == 0),
+                cycle < 3 || out.out.is_some() == (cycle % 2 == 1),
                 "a copy every second cycle, also in cycle {cycle}"
             );
-            splitter.clock(&In { input: Some(SetupSplat { bounds, ..SetupSplat::default() }), out_ready: true });
+            splitter.clock(&In { input: Some(splat), out_ready: true });
         }
         assert_eq!((accepted, copies), (11, 20), "two copies a splat");
     }

@@ -3,7 +3,9 @@
 
 use pointcore_contract::record;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{ATTRIBUTES, Footprint, HeapEntry, SplatCopy, TileRectangle};
+use pointcore_contract::splat::records::{
+    ATTRIBUTES, Footprint, HeapEntry, SplatCopy, TileDiagonals, TileRectangle,
+};
 use pointcore_contract::splat::units::heap;
 use pointcore_contract::splat::units::reorder::PORTS;
 
@@ -25,6 +27,8 @@ struct Payload {
     attributes: [u32; ATTRIBUTES],
     /// Bounds in the tile.
     bounds: TileRectangle,
+    /// What they leave of its corners.
+    diagonals: TileDiagonals,
 }
 
 /// A place of the memory.
@@ -62,7 +66,7 @@ pub fn module(config: &Config) -> Module {
     // Insertion. The payload is written as long as the copy is offered: nobody reads at a free pointer.
     let draining = m.reg_reset("draining", 1, 0);
     let open = m.wire("open", head.valid & !draining);
-    let SplatCopy { end, footprint, attributes, bounds, tile } = head.record;
+    let SplatCopy { end, footprint, attributes, bounds, diagonals, tile } = head.record;
     let offer = m.wire("offer", (open & !end) & free_valid);
     let accepts = heap::PORTS.input.offer(&mut m, config, heap, offer, HeapEntry { tile, pointer: *free });
     let insert = m.wire("insert", offer & accepts);
@@ -70,7 +74,7 @@ pub fn module(config: &Config) -> Module {
     m.next(free_valid, free_valid.mux(!insert, has_free));
     let take_end = m.wire("take_end", open & end);
     m.drive(head.ready, insert | take_end);
-    let payload = Payload { footprint, attributes, bounds };
+    let payload = Payload { footprint, attributes, bounds, diagonals };
     let payloads = Sliced::new(&mut m, "payloads", offer, *free, payload.pack(config));
 
     // The read stage. Its memory is spread over the whole device, so that what it shows is caught before it travels.
@@ -90,9 +94,10 @@ pub fn module(config: &Config) -> Module {
     let drained = empty & !stage_valid;
     let close = m.wire("close", draining & (drained & caught.room));
     m.next_if(draining, take_end | close, take_end);
-    let Payload { footprint, attributes, bounds } = Payload::unpack(config, stored);
+    let Payload { footprint, attributes, bounds, diagonals } = Payload::unpack(config, stored);
     let leaves = close | (stage_valid & caught.room);
-    caught.push(&mut m, config, leaves, SplatCopy { end: close, footprint, attributes, bounds, tile });
+    let copy = SplatCopy { end: close, footprint, attributes, bounds, diagonals, tile };
+    caught.push(&mut m, config, leaves, copy);
     m.drive(shown.ready, out.room);
     out.push(&mut m, config, shown.transfer(), shown.record);
     m

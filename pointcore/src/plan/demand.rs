@@ -26,7 +26,7 @@ use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, 
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
-use pointcore_golden::splat::{Rasterizer, Setup, Slant, Transform};
+use pointcore_golden::splat::{Rasterizer, Setup, Slant, Splitter, Transform};
 use rayon::prelude::*;
 
 /// Share by which a splat must be wider than the screen filter, if only for the radius' own rounding.
@@ -133,6 +133,7 @@ struct Units<'a> {
     without_culling: Setup,
     without_planes: (Transform, Setup),
     without_filter: Setup,
+    splitter: Splitter,
     rasterizer: Rasterizer,
     without_side: Rasterizer,
     without_disc: Rasterizer,
@@ -153,6 +154,7 @@ impl<'a> Units<'a> {
             without_culling: Setup::new(&Config { culling: Feature::Off, ..config.clone() }, 1),
             without_planes: (Transform::new(&without_planes, 1), Setup::new(&without_planes, 1)),
             without_filter: Setup::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
+            splitter: Splitter::new(config),
             rasterizer: Rasterizer::new(config, 1),
             without_side: Rasterizer::new(&Config { eye_plane: Feature::Off, ..config.clone() }, 1),
             without_disc: Rasterizer::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
@@ -185,7 +187,6 @@ impl<'a> Units<'a> {
         let ImageRectangle { left, right, top, bottom } = drawn.bounds;
         let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
         let tiles = [[left, right], [top, bottom]].map(|range| range.map(tile));
-        let [columns, rows] = tiles.map(|[first, last]| (last - first + 1) as usize);
         let is_crossing = !slant.is_whole || self.lacks(&record, Some(&drawn)) || self.needs_side(&drawn);
         Demand {
             back_facing: 0,
@@ -193,7 +194,7 @@ impl<'a> Units<'a> {
             crossing: is_crossing.into(),
             first_crossing: is_crossing.then_some(index),
             drawn: 1,
-            copies: columns * rows,
+            copies: self.splitter.copies(&drawn).count(),
             tiles: Some(tiles),
         }
     }

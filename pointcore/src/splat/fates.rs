@@ -2,10 +2,9 @@
 
 use super::encode::EncodedFrame;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::TILE_SIZE;
-use pointcore_contract::splat::records::{ImageRectangle, Splat, Uniforms};
+use pointcore_contract::splat::records::{Splat, Uniforms};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
-use pointcore_golden::splat::{Dropped, Setup, Transform};
+use pointcore_golden::splat::{Dropped, Setup, Splitter, Transform};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
@@ -34,13 +33,13 @@ impl Fates {
         let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = frame.uniforms;
         let transform_uniforms = TransformUniforms { model_view, near_plane };
         let setup_uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
-        let (transform, setup) = (Transform::new(config, 1), Setup::new(config, 1));
+        let (transform, setup, splitter) = (Transform::new(config, 1), Setup::new(config, 1), Splitter::new(config));
         let fate = |splat: &Splat| {
             let Some(placed) = transform.transform(splat, &transform_uniforms) else {
                 return Self { near: 1, ..Self::default() };
             };
             match setup.outcome(&placed, &setup_uniforms) {
-                Ok(drawn) => Self { drawn: 1, copies: tiles(drawn.bounds), ..Self::default() },
+                Ok(drawn) => Self { drawn: 1, copies: splitter.copies(&drawn).count() as u64, ..Self::default() },
                 Err(Dropped::Near) => Self { near: 1, ..Self::default() },
                 Err(Dropped::Far) => Self { far: 1, ..Self::default() },
                 Err(Dropped::Beside) => Self { beside: 1, ..Self::default() },
@@ -89,12 +88,6 @@ impl Fates {
             Some(_) => "turn the camera to the scene; `camera.fit = true` does so",
         }
     }
-}
-
-/// Tiles in a rectangle of pixels.
-fn tiles(ImageRectangle { left, right, top, bottom }: ImageRectangle) -> u64 {
-    let along = |first: u16, last: u16| u64::from(u32::from(last) / TILE_SIZE - u32::from(first) / TILE_SIZE + 1);
-    along(left, right) * along(top, bottom)
 }
 
 impl fmt::Display for Fates {

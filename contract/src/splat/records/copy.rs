@@ -1,6 +1,6 @@
 //! Splats after setup and their copies for tiles.
 
-use super::{ATTRIBUTES, Footprint, LOCAL_BITS, attribute_name};
+use super::{ATTRIBUTES, DIAGONAL_BITS, Footprint, LOCAL_BITS, attribute_name};
 use crate::record;
 use crate::splat::Config;
 
@@ -19,6 +19,43 @@ pub struct ImageRectangle {
     /// Last row.
     #[bits(config.row_bits())]
     pub bottom: u16,
+}
+
+/// Inclusive limits along the image's diagonals: with them a rectangle becomes an octagon.
+///
+/// A pixel's *sum* is its column plus its row, its *difference* its column plus the complement of its row: neither is negative. Columns
+/// are those of pixels, however many samples they have.
+#[record(config: Config)]
+pub struct ImageDiagonals {
+    /// Smallest sum.
+    #[bits(config.diagonal_bits())]
+    pub first_sum: u16,
+    /// Largest sum.
+    #[bits(config.diagonal_bits())]
+    pub last_sum: u16,
+    /// Smallest difference.
+    #[bits(config.diagonal_bits())]
+    pub first_difference: u16,
+    /// Largest difference.
+    #[bits(config.diagonal_bits())]
+    pub last_difference: u16,
+}
+
+/// Inclusive limits along a tile's diagonals, of places counted from the tile's first pixel. No row of the copy is without a sample.
+#[record(config: Config)]
+pub struct TileDiagonals {
+    /// Smallest sum.
+    #[bits(DIAGONAL_BITS)]
+    pub first_sum: u16,
+    /// Largest sum.
+    #[bits(DIAGONAL_BITS)]
+    pub last_sum: u16,
+    /// Smallest difference.
+    #[bits(DIAGONAL_BITS)]
+    pub first_difference: u16,
+    /// Largest difference.
+    #[bits(DIAGONAL_BITS)]
+    pub last_difference: u16,
 }
 
 /// An inclusive rectangle of a tile's pixels.
@@ -52,6 +89,8 @@ pub struct SetupSplat {
     pub attributes: [u32; ATTRIBUTES],
     /// Bounds in the image.
     pub bounds: ImageRectangle,
+    /// What they leave of its corners.
+    pub diagonals: ImageDiagonals,
 }
 
 /// A splat's copy for one tile, with its bounds in the tile.
@@ -68,6 +107,8 @@ pub struct SplatCopy {
     pub attributes: [u32; ATTRIBUTES],
     /// Bounds in the tile.
     pub bounds: TileRectangle,
+    /// What they leave of its corners.
+    pub diagonals: TileDiagonals,
     /// Tile index: row above column.
     #[bits(config.tile_bits())]
     pub tile: u32,

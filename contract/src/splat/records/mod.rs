@@ -10,7 +10,9 @@ mod pixel;
 mod sample;
 mod uniforms;
 
-pub use copy::{HeapEntry, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileRectangle};
+pub use copy::{
+    HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileDiagonals, TileRectangle,
+};
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
 pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
@@ -33,6 +35,8 @@ pub type Contributions = [u64; ATTRIBUTES];
 
 /// Bits of a pixel's column or row within its tile.
 pub const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
+/// Bits of a pixel's sum or difference of column and row within its tile.
+pub const DIAGONAL_BITS: u32 = LOCAL_BITS + 1;
 /// Bits of a pixel's index within its tile, row above column.
 pub const PIXEL_BITS: u32 = index_bits(TILE_PIXELS);
 

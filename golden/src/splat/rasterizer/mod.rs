@@ -15,37 +15,61 @@ use crate::stream::Fifo;
 use crate::unit::Model;
 use fixed_distance::Distance;
 use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
-use pointcore_contract::splat::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace};
+use pointcore_contract::splat::records::{
+    Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, SplatCopy,
+};
 use pointcore_contract::splat::units::RasterizerEvents;
 pub use pointcore_contract::splat::units::rasterizer::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
 use pointcore_contract::{Format, Sampling};
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 const SIZE: u16 = TILE_SIZE as u16;
+
+/// Columns of samples in a row of a copy, between the edges of its octagon.
+#[must_use]
+pub fn columns(sampling: Sampling, copy: &SplatCopy, row: u16) -> RangeInclusive<u16> {
+    let SplatCopy { bounds, diagonals, .. } = copy;
+    let samples = sampling.columns() as u16;
+    let below = SIZE - 1 - row;
+    let first = diagonals.first_sum.saturating_sub(row).max(diagonals.first_difference.saturating_sub(below));
+    let last = diagonals.last_sum.saturating_sub(row).min(diagonals.last_difference.saturating_sub(below));
+    bounds.left.max(first * samples)..=bounds.right.min(last * samples + (samples - 1))
+}
 
 /// The copy under rasterization and its next pixel, in tile coordinates.
 #[derive(Clone, Copy, Debug)]
 struct Scan {
     placed: PlacedCopy,
+    sampling: Sampling,
     column: u16,
     row: u16,
 }
 
 impl Scan {
-    fn new(placed: PlacedCopy) -> Self {
-        Self { placed, column: placed.copy.bounds.left, row: placed.copy.bounds.top }
+    fn new(sampling: Sampling, placed: PlacedCopy) -> Self {
+        let row = placed.copy.bounds.top;
+        Self { placed, sampling, column: *columns(sampling, &placed.copy, row).start(), row }
+    }
+
+    fn columns(&self, row: u16) -> RangeInclusive<u16> {
+        columns(self.sampling, &self.placed.copy, row)
+    }
+
+    fn is_row_done(&self) -> bool {
+        self.column == *self.columns(self.row).end()
     }
 
     fn is_last(&self) -> bool {
         let copy = &self.placed.copy;
-        copy.end || (self.column == copy.bounds.right && self.row == copy.bounds.bottom)
+        copy.end || (self.row == copy.bounds.bottom && self.is_row_done())
     }
 
     fn step(&mut self) {
-        let bounds = &self.placed.copy.bounds;
-        if self.column == bounds.right {
-            (self.column, self.row) = (bounds.left, self.row + 1);
+        if self.is_row_done() {
+            self.row += 1;
+            self.column = *self.columns(self.row).start();
         } else {
             self.column += 1;
         }
@@ -247,7 +271,7 @@ impl Model for Rasterizer {
         if advances {
             match &mut self.scan {
                 Some(scan) if !scan.is_last() => scan.step(),
-                scan => *scan = taken.map(Scan::new),
+                scan => *scan = taken.map(|placed| Scan::new(self.sampling, placed)),
             }
         }
         let left = self.datapath.step(sample, inputs.out_ready);

@@ -11,11 +11,11 @@ use std::ops::Range;
 /// Bounds as fixed-point numbers: 13 integer bits hold every image edge.
 pub(super) const BOUND_BITS: u32 = 21;
 /// Fraction bits of the bounds.
-const BOUND_FRACTION_BITS: u32 = 8;
+pub(super) const BOUND_FRACTION_BITS: u32 = 8;
 /// The largest bound in pixels before the conversion.
 const BOUND_MAX_PX: u64 = 8191;
 /// One of [`BOUND_FRACTION_BITS`].
-const PIXEL: u64 = 1 << BOUND_FRACTION_BITS;
+pub(super) const PIXEL: u64 = 1 << BOUND_FRACTION_BITS;
 /// What bounds are wider by at either end, in units of [`BOUND_FRACTION_BITS`].
 const FIRST_MARGIN: u64 = 1;
 const LAST_MARGIN: u64 = 2;
@@ -30,13 +30,25 @@ pub(super) struct Shadow {
     pub b: Number,
 }
 
+/// The ellipse of a splat before the eye along an axis: its middle, towards smaller coordinates from the centre, and its half, squared.
+#[derive(Clone, Copy)]
+pub(super) struct Span {
+    pub middle: Number,
+    pub squared: Number,
+}
+
 impl Shadow {
+    /// What the splat's ellipse spans.
+    pub fn span(&self, slant: &Slant, f: Number) -> Span {
+        let Self { a, b, .. } = *self;
+        let middle = (a * slant.alpha + b * slant.beta) * f;
+        Span { middle, squared: middle * middle + (a * a + b * b) * f }
+    }
+
     /// Bounds of a splat before the eye, from its ellipse.
-    pub fn of_ellipse(&self, division: Division, slant: &Slant, f: Number) -> [Number; 2] {
-        let Self { center, a, b } = *self;
-        let t = (a * slant.alpha + b * slant.beta) * f;
-        let h = sqrt(division, t * t + (a * a + b * b) * f);
-        [(center - t) - h, (center - t) + h]
+    pub fn of_ellipse(&self, division: Division, span: Span) -> [Number; 2] {
+        let (middle, h) = (self.center - span.middle, sqrt(division, span.squared));
+        [middle - h, middle + h]
     }
 }
 

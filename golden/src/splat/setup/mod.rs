@@ -7,6 +7,7 @@
 
 mod bounds;
 mod depths;
+mod diagonals;
 pub(super) mod fixed_footprint;
 mod origin;
 mod scaling;
@@ -21,6 +22,7 @@ use crate::number::Number;
 use crate::unit::Model;
 use bounds::{BOUND_BITS, EDGE_UNITS, Shadow};
 use depths::Depths;
+use diagonals::{Corners, Grid};
 use fixed_footprint::Projection;
 use origin::{Extent, Origin};
 use pointcore_contract::splat::records::{DepthPlane, Footprint, ImageRectangle, SetupSplat, Sight, Splat};
@@ -52,6 +54,7 @@ pub struct Setup {
     has_screen_filter: bool,
     edges: [u64; 2],
     sampling: Sampling,
+    grid: Grid,
     datapath: Datapath<SetupSplat>,
 }
 
@@ -100,6 +103,7 @@ impl Setup {
             eye_plane: config.eye_plane,
             edges: [config.width, config.height].map(u64::from),
             sampling: config.sampling,
+            grid: Grid::new(config),
             datapath: Datapath::new(latency, config.setup_interval),
         }
     }
@@ -148,9 +152,10 @@ impl Setup {
             return Err(Dropped::Far);
         }
         let has_disc = origin.is_centered() && depths.is_center_before_far;
+        let spans = slant.reciprocal.map(|f| shadows.map(|shadow| shadow.span(&slant, f)));
         let [columns, rows] = [0, 1].map(|axis| {
-            let ends = match slant.reciprocal {
-                Some(f) => shadows[axis].of_ellipse(self.division, &slant, f),
+            let ends = match spans {
+                Some(spans) => shadows[axis].of_ellipse(self.division, spans[axis]),
                 None => {
                     let deepest = recip(self.division, extent.high(2));
                     bounds::of_box(&extent, axis, deepest, [scale[axis], image_origin[axis]])
@@ -162,6 +167,9 @@ impl Setup {
         if columns.is_empty() || rows.is_empty() {
             return Err(Dropped::Beside);
         }
+        let radius = (self.has_screen_filter && has_disc).then(|| number(uniforms.filter_radius));
+        let corners = spans.zip(slant.reciprocal).map(|(spans, f)| Corners { shadows, spans, f, radius });
+        let diagonals = self.grid.diagonals(self.division, corners).ok_or(Dropped::Beside)?;
         let (a, b) = (shadows.map(|shadow| shadow.a), shadows.map(|shadow| shadow.b));
         let scaled = Coefficients::new(a, b, [slant.alpha, slant.beta], lowered, depths.scale);
         let Coefficients { a, b, delta, m, unscaled, is_vanishing } = scaled;
@@ -191,7 +199,7 @@ impl Setup {
             top: rows.start as u16,
             bottom: (rows.end - 1) as u16,
         };
-        Ok(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
+        Ok(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds, diagonals })
     }
 
     fn origin(&self, splat: &Splat, uniforms: &SetupUniforms) -> Origin {

@@ -261,3 +261,93 @@ fn size_is_no_question_of_range() {
         assert_eq!(lengths.map(|length| length * f32::powi(2.0, power)), ordinary, "2^{power}");
     }
 }
+
+/// Splats of the sizes and slants that scenes have, some of them slivers, in and around the image of [`uniforms`].
+fn any_splat(geometry: Format, random: &mut fastrand::Rng) -> Splat {
+    let encode = |value: f32| Number::new(Format::F32, value.to_bits()).convert(geometry).bits();
+    let mut centered = || 2.0 * random.f32() - 1.0;
+    let z = 3.0 + 2.0 * centered();
+    let center = [1.5 * z * centered(), 0.8 * z * centered(), z];
+    let [a, b] = [(); 2].map(|()| glam::Vec3::from([centered(), centered(), centered()]));
+    let first = a.try_normalize().unwrap_or(glam::Vec3::X);
+    let second = first.cross(b).try_normalize().unwrap_or(first.any_orthonormal_vector());
+    let radius = 2_f32.powf(2.5 * centered() - 4.0);
+    let shorter = if random.u8(..4) == 0 { random.f32() } else { 1.0 };
+    let tangents = [first * radius, second * (radius * shorter)];
+    Splat {
+        end: false,
+        center: center.map(encode),
+        tangents: tangents.map(|tangent| tangent.to_array().map(encode)),
+        attributes: [0; 14],
+    }
+}
+
+#[test]
+fn no_sample_of_a_splat_lies_beyond_its_diagonals() {
+    let fixed = RasterFormat::Fixed(pointcore_contract::splat::Coefficient::Eighteen);
+    for (geometry, rasterizer, screen_filter, sampling) in [
+        (Format::F32.flushed(), None, Feature::Off, Sampling::Center),
+        (Format::F32.flushed(), None, Feature::On, Sampling::Flipquad),
+        (Format::F24.flushed(), None, Feature::On, Sampling::Center),
+        (Format::F24.flushed(), None, Feature::Off, Sampling::Flipquad),
+        (Format::BF16, None, Feature::On, Sampling::Center),
+        (Format::F24.flushed(), Some(fixed), Feature::On, Sampling::Center),
+    ] {
+        let columns = sampling.columns();
+        let config = Config {
+            width: 256 * columns,
+            height: 128,
+            geometry,
+            rasterizer,
+            screen_filter,
+            sampling,
+            culling: Feature::Off,
+            ..Config::default()
+        };
+        let setup = Setup::new(&config, 1);
+        let rasterizer = crate::splat::Rasterizer::new(&config, 1);
+        let encoded = |bits: u32| Number::new(Format::F32, bits).convert(geometry).bits();
+        let SetupUniforms { viewport, epsilon, near_plane, .. } = uniforms();
+        let Viewport { scale, origin, depth_a, depth_b } = viewport;
+        let uniforms = SetupUniforms {
+            viewport: Viewport {
+                scale: scale.map(encoded),
+                origin: origin.map(encoded),
+                depth_a: encoded(depth_a),
+                depth_b: encoded(depth_b),
+            },
+            epsilon: EpsilonScale { scale: encoded(epsilon.scale), bias: encoded(epsilon.bias) },
+            near_plane: encoded(near_plane),
+            filter_radius: encoded(0.75_f32.to_bits()),
+        };
+        let filter_scale = match config.raster_format() {
+            RasterFormat::Float(_) => encoded((1.0_f32 / (0.75 * 0.75)).to_bits()),
+            RasterFormat::Fixed(_) => (16.0 / 9.0 * 4096.0) as u32,
+        };
+        let random = &mut fastrand::Rng::with_seed(5);
+        let row_mask = (1 << config.row_bits()) - 1;
+        let [mut inside, mut within, mut boxed] = [0_u32; 3];
+        for _ in 0..4000 {
+            let splat = any_splat(geometry, random);
+            let Some(SetupSplat { bounds, diagonals, footprint, .. }) = setup.setup(&splat, &uniforms) else {
+                continue;
+            };
+            let ImageRectangle { left, right, top, bottom } = bounds;
+            for (row, column) in (top..=bottom).flat_map(|row| (left..=right).map(move |column| (row, column))) {
+                let pixel = column / columns as u16;
+                let [sum, difference] = [pixel + row, pixel + (row_mask - row)];
+                let is_within = (diagonals.first_sum..=diagonals.last_sum).contains(&sum)
+                    && (diagonals.first_difference..=diagonals.last_difference).contains(&difference);
+                let squared = rasterizer.squared_distance(&footprint, [column, row].map(u32::from), filter_scale);
+                let is_inside = crate::splat::Rasterizer::is_inside(squared);
+                assert!(is_within || !is_inside, "({column}, {row}) of {splat:?} in {geometry}");
+                boxed += 1;
+                within += u32::from(is_within);
+                inside += u32::from(is_inside);
+            }
+        }
+        let [boxed, within] = [boxed, within].map(|count| f64::from(count) / f64::from(inside));
+        println!("{geometry} {sampling:?}: {boxed:.3} {within:.3}");
+        assert!(geometry.mantissa < Format::F24.mantissa || within < 0.85 * boxed, "{within} of {boxed} visited");
+    }
+}

@@ -40,6 +40,9 @@ pub(super) struct Axis {
     pub center: Value,
     pub a: Value,
     pub b: Value,
+    /// Of the ellipse: its middle, towards smaller coordinates from the centre, and its half, squared.
+    pub middle: Value,
+    pub squared: Value,
     pub first: Value,
     pub last: Value,
     pub occupied: Value,
@@ -74,7 +77,7 @@ pub(super) struct Frame<'a> {
     /// The splat lies wholly in front of the eye; none where every splat is taken to.
     pub whole: Option<Value>,
     /// Radius of the screen filter, where there is one.
-    filter_radius: Option<Value>,
+    pub filter_radius: Option<Value>,
 }
 
 impl<'a> Frame<'a> {
@@ -124,7 +127,8 @@ impl<'a> Frame<'a> {
         let center = scale * v + image_origin;
 
         let t = (a * self.alpha + b * self.beta) * self.f;
-        let h = self.sqrt(t * t + (a * a + b * b) * self.f);
+        let squared = t * t + (a * a + b * b) * self.f;
+        let h = self.sqrt(squared);
         let middle = center - t;
         let (mut low, mut high) = (middle - h, middle + h);
         name!(in AXES[axis]; v, a, b, center, t, h, low, high);
@@ -140,7 +144,7 @@ impl<'a> Frame<'a> {
         let (first, last, occupied) = self.samples(low, high, grid);
         name!(in AXES[axis]; first, last, occupied);
         let top = self.config.geometry.width() - 1;
-        Axis { mirrored: scale.bits(top, top), center, a, b, first, last, occupied }
+        Axis { mirrored: scale.bits(top, top), center, a, b, middle: t, squared, first, last, occupied }
     }
 
     /// Bounds of what a splat's box shows before the eye, with `f` for where that is deepest.

@@ -3,6 +3,7 @@
 
 mod axes;
 mod depth;
+mod diagonals;
 mod exponent;
 pub(super) mod fixed_footprint;
 mod origin;
@@ -148,7 +149,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
 
     let mut negative = exponents.sign(unit_delta);
     let mut mirrored = x.mirrored ^ y.mirrored;
-    let mut visible = depth.before_far & x.occupied & y.occupied;
+    let diagonals = diagonals::Limits::new(&frame, [&x, &y], shown);
+    let mut visible = depth.before_far & x.occupied & y.occupied & diagonals.occupied;
     let mut a = scaled.a;
     if let Some(eye) = eye {
         negative = negative ^ (eye.turned & exponents.sign(frame.origin.center[2]));
@@ -190,7 +192,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     };
     let bounds = ImageRectangle { left: x.first, right: x.last, top: y.first, bottom: y.last };
     let Splat { end, attributes, .. } = splat;
-    SetupSplat { end, footprint, attributes, bounds }.outputs(&program, config);
+    SetupSplat { end, footprint, attributes, bounds, diagonals: diagonals.record }.outputs(&program, config);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;
     datapath::unit(

@@ -1,8 +1,10 @@
 //! Where in the image a frame takes its cycles: counts by sample, and by tile.
 
+use pointcore_contract::Sampling;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
 use pointcore_contract::splat::records::{PlacedCopy, SamplePlace};
+use pointcore_golden::splat::rasterizer::columns;
 use std::collections::VecDeque;
 
 /// Pixels of a tile.
@@ -72,6 +74,7 @@ impl Layout {
 #[derive(Clone, Debug)]
 pub struct SampleMaps {
     layout: Layout,
+    sampling: Sampling,
     /// The tile in each slot of the tile cache, for the copies passed on last.
     tiles: Vec<u32>,
     /// Samples inside their splat that the accumulator has not taken yet, by tile and pixel.
@@ -86,21 +89,21 @@ impl SampleMaps {
         let layout = Layout::new(config);
         let zeros = vec![0; layout.tiles() * PIXELS];
         let tiles = vec![0; config.tile_slots as usize];
-        let waiting = VecDeque::new();
-        Self { layout, tiles, waiting, evaluated: zeros.clone(), inside: zeros.clone(), hazards: zeros }
+        let (evaluated, inside) = (zeros.clone(), zeros.clone());
+        let sampling = config.sampling;
+        Self { layout, sampling, tiles, waiting: VecDeque::new(), evaluated, inside, hazards: zeros }
     }
 
-    /// The rasterizer takes a copy: it will evaluate a sample at each pixel of its rectangle.
+    /// The rasterizer takes a copy: it will evaluate each sample of its octagon.
     pub(super) fn copy(&mut self, PlacedCopy { copy, slot }: &PlacedCopy) {
         if copy.end {
             return;
         }
         self.tiles[usize::from(*slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
-        let bounds = copy.bounds;
-        for row in bounds.top..=bounds.bottom {
-            let row = &mut tile[usize::from(row) * SIZE..][..SIZE];
-            row[bounds.left.into()..=bounds.right.into()].iter_mut().for_each(|count| *count += 1);
+        for row in copy.bounds.top..=copy.bounds.bottom {
+            let columns = columns(self.sampling, copy, row).map(usize::from);
+            columns.for_each(|column| tile[usize::from(row) * SIZE + column] += 1);
         }
     }
 
@@ -147,7 +150,7 @@ impl SampleMaps {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::splat::records::{SplatCopy, TileRectangle};
+    use pointcore_contract::splat::records::{SplatCopy, TileDiagonals, TileRectangle};
 
     #[test]
     fn counts_lie_where_their_pixels_do() {
@@ -155,7 +158,9 @@ mod tests {
         let mut maps = SampleMaps::new(&config);
         let tile = 1 << config.tile_column_bits() | 2;
         let bounds = TileRectangle { left: 0, right: 1, top: 3, bottom: 4 };
-        maps.copy(&PlacedCopy { copy: SplatCopy { tile, bounds, ..SplatCopy::default() }, slot: 1 });
+        // In the upper row the first column alone, and both in the lower one.
+        let diagonals = TileDiagonals { first_sum: 0, last_sum: 14, first_difference: 0, last_difference: 4 };
+        maps.copy(&PlacedCopy { copy: SplatCopy { tile, bounds, diagonals, ..SplatCopy::default() }, slot: 1 });
         maps.copy(&PlacedCopy { copy: SplatCopy { end: true, bounds, ..SplatCopy::default() }, slot: 0 });
         let place = SamplePlace { inside: true, slot: 1, pixel: 3 * 8 + 1, ..SamplePlace::default() };
         maps.sample(&place);
@@ -168,7 +173,7 @@ mod tests {
             let set: Vec<_> = set.map(|(index, count)| (index % map.width, index / map.width, *count)).collect();
             set
         };
-        assert_eq!(places(maps.evaluated()), [(16, 11, 1), (17, 11, 1), (16, 12, 1), (17, 12, 1)]);
+        assert_eq!(places(maps.evaluated()), [(16, 11, 1), (16, 12, 1), (17, 12, 1)]);
         assert_eq!(places(maps.inside()), [(17, 11, 1)]);
         assert_eq!(places(maps.hazards()), [(17, 11, 1)], "nothing waits any more");
         assert_eq!(maps.evaluated().counts.len(), 20 * 16);

@@ -1,0 +1,123 @@
+//! Walks the samples of a copy's octagon, row by row.
+
+use super::position::{Position, Shape};
+use crate::units::ports::{Flow, held};
+use crate::units::wires::{Bundle, Wires};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{DIAGONAL_BITS, LOCAL_BITS, PlacedCopy, TileDiagonals, TileRectangle};
+use rtl::{Expr, Module, Reg, cat, lit};
+
+/// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins; the
+/// ends of a row are known before the row is reached.
+pub(super) struct Scanner {
+    /// Bits of a sample's column within its pixel.
+    sample_bits: u32,
+    pub busy: Reg,
+    /// A copy can be taken: there is none, or its current pixel is the last.
+    pub idle: Reg,
+    pub end: Reg,
+    /// The current pixel is the copy's last.
+    last: Reg,
+    slot: Reg,
+    tile: Reg,
+    column: Reg,
+    row: Reg,
+    /// Last column of the current row.
+    row_end: Reg,
+    /// First and last column of the next one.
+    next_ends: [Reg; 2],
+    bottom: Reg,
+}
+
+/// First and last column of samples in a row, of those of a rectangle.
+fn ends(sample_bits: u32, sides: [Expr; 2], diagonals: &TileDiagonals<Wires>, row: Expr) -> [Expr; 2] {
+    let less = |limit: Expr, by: Expr| {
+        let by = by.zext(DIAGONAL_BITS);
+        limit.lt(by).mux(lit(DIAGONAL_BITS, 0), limit - by)
+    };
+    let along = |sum: Expr, difference: Expr| (less(sum, row), less(difference, !row));
+    let (sum, difference) = along(diagonals.first_sum, diagonals.first_difference);
+    let first = sum.lt(difference).mux(difference, sum);
+    let (sum, difference) = along(diagonals.last_sum, diagonals.last_difference);
+    let last = sum.lt(difference).mux(sum, difference);
+    let [left, right] = sides.map(|column| column.bits(LOCAL_BITS - 1, sample_bits));
+    let [left, right] = [left, right].map(|pixel| pixel.zext(DIAGONAL_BITS));
+    let first = first.lt(left).mux(left, first).trunc(LOCAL_BITS - sample_bits);
+    let last = last.lt(right).mux(last, right).trunc(LOCAL_BITS - sample_bits);
+    if sample_bits == 0 {
+        return [first, last];
+    }
+    let sample = lit(sample_bits, 0);
+    [cat([first, sample]), cat([last, !sample])]
+}
+
+impl Scanner {
+    pub fn new(m: &mut Module, config: &Config) -> Self {
+        Self {
+            sample_bits: config.sampling.columns().ilog2(),
+            busy: m.reg_reset("busy", 1, 0),
+            idle: m.reg_reset("idle", 1, 1),
+            end: m.reg("is_end", 1),
+            last: m.reg("is_last", 1),
+            slot: m.reg("slot", config.slot_bits()),
+            tile: m.reg("tile", config.tile_bits()),
+            column: m.reg("column", LOCAL_BITS),
+            row: m.reg("row", LOCAL_BITS),
+            row_end: m.reg("row_end", LOCAL_BITS),
+            next_ends: ["next_begin", "next_end"].map(|name| m.reg(name, LOCAL_BITS)),
+            bottom: m.reg("bottom", LOCAL_BITS),
+        }
+    }
+
+    /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
+    pub fn step(&self, m: &mut Module, config: &Config, copy: &Flow<PlacedCopy<Wires>>, advance: Expr, ready: Expr) {
+        let load = ready & copy.valid;
+        let row_done = m.wire("row_done", self.column.eq(self.row_end));
+        m.next_if(self.busy, advance, load | (self.busy & !self.last));
+        let PlacedCopy { copy, slot } = copy.record;
+        m.next_if(self.end, ready, copy.end);
+        m.next_if(self.slot, ready, slot);
+        m.next_if(self.tile, ready, copy.tile);
+        let diagonals = copy.diagonals;
+        let TileRectangle { left, right, top, bottom } = copy.bounds;
+        m.next_if(self.bottom, ready, bottom);
+        let own_sides = [held(m, "left", ready, left), held(m, "right", ready, right)];
+        let own_diagonals = diagonals.register(m, config, "", ready);
+
+        let first_ends = ends(self.sample_bits, [left, right], &diagonals, top);
+        let second_ends = ends(self.sample_bits, [left, right], &diagonals, top.add_lit(1));
+        let following_ends = ends(self.sample_bits, own_sides, &own_diagonals, self.row.add_lit(2));
+        let [next_begin, next_end] = self.next_ends;
+        let next_column = row_done.mux(next_begin, self.column.add_lit(1));
+        let next_row = row_done.mux(self.row.add_lit(1), self.row);
+        let new_row = advance & (load | row_done);
+        m.next_if(self.column, advance, load.mux(first_ends[0], next_column));
+        m.next_if(self.row, advance, load.mux(top, next_row));
+        m.next_if(self.row_end, new_row, load.mux(first_ends[1], next_end));
+        for (end, (second, following)) in self.next_ends.iter().zip(second_ends.into_iter().zip(following_ends)) {
+            m.next_if(*end, new_row, load.mux(second, following));
+        }
+        let ends_at = |row: Expr, column: Expr, bottom: Expr, end: Expr| cat([row, column]).eq(cat([bottom, end]));
+        let single = copy.end | ends_at(top, first_ends[0], bottom, first_ends[1]);
+        let next_row_end = row_done.mux(next_end, self.row_end);
+        let reaches_last = ends_at(next_row, next_column, *self.bottom, next_row_end);
+        m.next_if(self.last, advance, load.mux(single, reaches_last));
+        let falls_idle = !self.busy | (self.last | reaches_last);
+        m.next_if(self.idle, advance, load.mux(single, falls_idle));
+    }
+
+    /// The current pixel of a splat.
+    pub fn position(&self, config: &Config, shape: Shape<Wires>) -> Position<Wires> {
+        let column_bits = config.tile_column_bits();
+        let tile_column = self.tile.bits(column_bits - 1, 0);
+        let tile_row = self.tile.bits(config.tile_bits() - 1, column_bits);
+        Position {
+            end: *self.end,
+            last: self.last & !self.end,
+            slot: *self.slot,
+            column: cat([tile_column, *self.column]),
+            row: cat([tile_row, *self.row]),
+            shape,
+        }
+    }
+}
