@@ -193,8 +193,7 @@ mod tests {
                 let [first_sum, last_sum] = [sums[0].min(sums[1]), sums[0].max(sums[1])];
                 let [first_difference, last_difference] =
                     [differences[0].min(differences[1]), differences[0].max(differences[1])];
-                let bounds =
-                    ImageRectangle { left: left * samples, right: right * samples + samples - 1, top, bottom };
+                let bounds = ImageRectangle { left: left * samples, right: right * samples + samples - 1, top, bottom };
                 let diagonals = ImageDiagonals { first_sum, last_sum, first_difference, last_difference };
                 let splat = SetupSplat { bounds, diagonals, ..SetupSplat::default() };
                 let mut covered = vec![0; 64 * 40];

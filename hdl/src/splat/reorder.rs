@@ -3,9 +3,7 @@
 
 use pointcore_contract::record;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{
-    ATTRIBUTES, Footprint, HeapEntry, SplatCopy, TileDiagonals, TileRectangle,
-};
+use pointcore_contract::splat::records::{ATTRIBUTES, Footprint, HeapEntry, SplatCopy, TileDiagonals, TileRectangle};
 use pointcore_contract::splat::units::heap;
 use pointcore_contract::splat::units::reorder::PORTS;
 

@@ -99,10 +99,7 @@ impl Diagonals {
             half(past_sum, TILE_SIZE as u128, first_difference),
         ];
         let ([a, b, c], [d, e, f]) = (tops, pasts);
-        [
-            larger(larger(wide(top), a), larger(b, c)),
-            smaller(smaller(wide(bottom).add_lit(1), d), smaller(e, f)),
-        ]
+        [larger(larger(wide(top), a), larger(b, c)), smaller(smaller(wide(bottom).add_lit(1), d), smaller(e, f))]
     }
 
     fn of_tile(&self) -> TileDiagonals<Wires> {
@@ -158,8 +155,7 @@ pub fn module(config: &Config) -> Module {
 
     // The rectangle's edge where it lies in this tile, else the tile's own.
     let clip = |edge: Expr, here: Expr, of_tile: u32| here.mux(edge.trunc(LOCAL_BITS), lit(LOCAL_BITS, of_tile.into()));
-    let [left, right] =
-        [clip(bounds.left, left_most, 0), clip(bounds.right, right_most, TILE_SIZE - 1)];
+    let [left, right] = [clip(bounds.left, left_most, 0), clip(bounds.right, right_most, TILE_SIZE - 1)];
     let diagonals = Diagonals::new(&mut m, config, &splat, [*column, *row], locate);
     let pixel = |column: Expr| column.bits(LOCAL_BITS - 1, config.sampling.columns().ilog2()).zext(LOCAL_BITS);
     let [top, past] = diagonals.rows(

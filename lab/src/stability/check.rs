@@ -5,7 +5,7 @@ use super::case::{Case, IMAGE_EDGE_PX};
 use super::hardware::{Fate, Units};
 use super::hit::InRange;
 use super::rounding::Bounded;
-use super::search::{InsideSearch, PixelArea, ROUGHLY, area, whole_image};
+use super::search::{InsideSearch, PixelArea, ROUGHLY, area};
 use super::truth::{Side, Truth};
 use fastrand::Rng;
 use pointcore_contract::Format;
@@ -205,7 +205,7 @@ fn nothing_drawn(dropped: Dropped, truth: &Truth, analysis: &Analysis, random: &
     if matches!(dropped, Dropped::Facing | Dropped::Near) && truth.faces_away() {
         return;
     }
-    let search = InsideSearch { truth, analysis, bounds: None };
+    let search = InsideSearch { truth, analysis, bounds: None, is_closed: false };
     // A filter's disc counts where its splat's plane is seen.
     let seen = search.samples(random).filter(|(pixel, _)| truth.hit(*pixel, ROUGHLY).range == InRange::Yes);
     if let Some((pixel, squared)) = seen.min_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -261,17 +261,18 @@ fn contained(
     findings: &mut Findings,
 ) {
     let PixelArea { first, last } = area(drawn);
+    let diagonals = drawn.diagonals;
     let is_open = |axis: usize| {
         (first[axis] > 0 && truth.reaches(axis, first[axis] - 1, Side::Below))
             || (last[axis] + 1 < IMAGE_EDGE_PX && truth.reaches(axis, last[axis] + 1, Side::Above))
     };
-    if area(drawn) == whole_image() || (truth.is_whole() && !is_open(0) && !is_open(1)) {
-        return;
-    }
-    let search = InsideSearch { truth, analysis, bounds: Some(area(drawn)) };
+    let is_closed = truth.is_whole() && !is_open(0) && !is_open(1);
+    let search = InsideSearch { truth, analysis, bounds: Some(drawn), is_closed };
     let Some((pixel, squared)) = search.samples(random).min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
     let error = analysis.bounds.iter().flatten().map(|bound| bound.error).fold(0.0, f64::max);
-    let found = format!("ρ² = {squared:.6} outside the bounds {first:?} to {last:?}, known to {error:e} px");
+    let found =
+        format!("ρ² = {squared:.6} outside the bounds {first:?} to {last:?}, {diagonals:?}, known to {error:e} px");
+
     let is_known = match analysis.is_whole {
         Some(true) => error * SLACK <= MARGIN_PX,
         // The box is known to far less than that, but not the disc.

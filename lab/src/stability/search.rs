@@ -4,10 +4,12 @@ use super::analysis::Analysis;
 use super::case::IMAGE_EDGE_PX;
 use super::truth::Truth;
 use fastrand::Rng;
-use pointcore_contract::splat::records::SetupSplat;
+use pointcore_contract::splat::records::{ImageDiagonals, SetupSplat};
 
 /// Columns or rows tried beyond each edge.
 const LINES: u32 = 48;
+/// Rows tried within the bounds.
+const ROWS: usize = 4;
 /// Samples tried anywhere.
 const ANYWHERE: usize = 24;
 
@@ -57,7 +59,18 @@ pub const fn whole_image() -> PixelArea {
     PixelArea { first: [0; 2], last: [IMAGE_EDGE_PX - 1; 2] }
 }
 
-/// The bounds of a splat.
+/// Whether a pixel lies within the bounds of a splat.
+#[must_use]
+pub fn holds(drawn: &SetupSplat, pixel: [u32; 2]) -> bool {
+    let ImageDiagonals { first_sum, last_sum, first_difference, last_difference } = drawn.diagonals;
+    let [column, row] = pixel;
+    let (sum, difference) = (column + row, column + (IMAGE_EDGE_PX - 1 - row));
+    area(drawn).holds(pixel)
+        && (u32::from(first_sum)..=last_sum.into()).contains(&sum)
+        && (u32::from(first_difference)..=last_difference.into()).contains(&difference)
+}
+
+/// The rectangle that a splat's bounds begin with.
 #[must_use]
 pub fn area(drawn: &SetupSplat) -> PixelArea {
     let bounds = &drawn.bounds;
@@ -71,7 +84,9 @@ pub struct InsideSearch<'a> {
     /// Where it lies, roughly.
     pub analysis: &'a Analysis,
     /// What need not be searched.
-    pub bounds: Option<PixelArea>,
+    pub bounds: Option<&'a SetupSplat>,
+    /// The rectangle of the bounds is known to hold the splat; their cut corners may not.
+    pub is_closed: bool,
 }
 
 impl InsideSearch<'_> {
@@ -81,13 +96,19 @@ impl InsideSearch<'_> {
         let mut pixels: Vec<_> = (0..ANYWHERE).map(|_| self.around().pixel(random)).collect();
         pixels.extend(self.disc());
         if self.truth.is_whole() {
-            for axis in [0, 1] {
+            let axes = if self.is_closed { 0..0 } else { 0..2 };
+            for axis in axes {
                 for line in self.lines(axis) {
                     pixels.extend(self.on_line(axis, line));
                 }
             }
+            // Where corners are cut, a row's first or last sample is what may be missing.
+            if let Some(PixelArea { first: [_, top], last: [_, bottom] }) = self.bounds.map(area) {
+                let rows = [top, bottom].into_iter().chain((2..ROWS).map(|_| random.u32(top..=bottom)));
+                pixels.extend(rows.flat_map(|row| self.on_line(1, row)));
+            }
         }
-        pixels.retain(|&pixel| self.bounds.is_none_or(|bounds| !bounds.holds(pixel)));
+        pixels.retain(|&pixel| self.bounds.is_none_or(|drawn| !holds(drawn, pixel)));
         let hits = pixels.into_iter().map(|pixel| (pixel, self.truth.hit(pixel, ROUGHLY)));
         let inside = hits.filter(|(_, hit)| hit.is_inside);
         inside.map(|(pixel, hit)| (pixel, hit.squared_distance)).collect::<Vec<_>>().into_iter()
@@ -113,7 +134,7 @@ impl InsideSearch<'_> {
     /// Columns (axis 0) or rows to look along.
     fn lines(&self, axis: usize) -> Vec<u32> {
         let around = self.around();
-        match self.bounds {
+        match self.bounds.map(area) {
             Some(bounds) => {
                 let below = (around.first[axis]..bounds.first[axis]).rev().take(LINES as usize);
                 below.chain((bounds.last[axis] + 1..=around.last[axis]).take(LINES as usize)).collect()

@@ -1,4 +1,4 @@
-//! Rasterizer (thesis 5.4.2): walks a copy's rectangle and evaluates one sample a cycle; golden twin:
+//! Rasterizer (thesis 5.4.2): walks the octagon of a copy and evaluates one sample a cycle; golden twin:
 //! `pointcore_golden::splat::rasterizer`.
 
 mod evaluation;

@@ -121,14 +121,14 @@ fn floating(
     Footprint { plane: depth.plane(slope, round), ..footprint }
 }
 
-/// Camera space to footprint, depth band and bounding rectangle; drops splats outside the image, beyond the far plane, and such
+/// Camera space to footprint, depth band and bounding octagon; drops splats outside the image, beyond the far plane, and such
 /// as face away.
 ///
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let format = config.geometry;
-    let program = Program::new("splat_setup", "Footprint, depth band and bounding rectangle of a splat.");
+    let program = Program::new("splat_setup", "Footprint, depth band and bounding octagon of a splat.");
     let splat = Splat::inputs(&program, config);
     let frame = Frame::new(config, &program, Origin::new(config, &program, &splat));
     let Frame { alpha, beta, .. } = frame;
