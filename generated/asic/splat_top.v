@@ -75,6 +75,7 @@ module splat_top (
     wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [11:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [25:0] splitter_out_center_x, splitter_out_center_y;
     wire [15:0] splitter_out_ax, splitter_out_bx, splitter_out_ay, splitter_out_by;
@@ -87,6 +88,8 @@ module splat_top (
     wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [11:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
+    wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
+    wire [3:0] splitter_out_last_difference;
     wire [11:0] splitter_out_tile;
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [25:0] reorder_out_center_x, reorder_out_center_y;
@@ -100,6 +103,8 @@ module splat_top (
     wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
     wire [11:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
     wire [11:0] reorder_out_tile;
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [25:0] tile_cache_out_center_x, tile_cache_out_center_y;
@@ -113,6 +118,8 @@ module splat_top (
     wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
     wire [11:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
     wire [11:0] tile_cache_out_tile;
     wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
@@ -193,7 +200,9 @@ module splat_top (
         .out_depth_low(setup_out_depth_low), .out_depth_high(setup_out_depth_high),
         .out_attribute_0(setup_out_attribute_0), .out_attribute_1(setup_out_attribute_1),
         .out_attribute_2(setup_out_attribute_2), .out_left(setup_out_left), .out_right(setup_out_right),
-        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum),
+        .out_last_sum(setup_out_last_sum), .out_first_difference(setup_out_first_difference),
+        .out_last_difference(setup_out_last_difference)
     );
 
     splat_splitter splitter (
@@ -207,7 +216,8 @@ module splat_top (
         .in_depth_high(setup_out_depth_high), .in_attribute_0(setup_out_attribute_0),
         .in_attribute_1(setup_out_attribute_1), .in_attribute_2(setup_out_attribute_2),
         .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
-        .in_bottom(setup_out_bottom),
+        .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum), .in_last_sum(setup_out_last_sum),
+        .in_first_difference(setup_out_first_difference), .in_last_difference(setup_out_last_difference),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
@@ -219,7 +229,9 @@ module splat_top (
         .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
         .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
         .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
+        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
+        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
+        .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -234,7 +246,9 @@ module splat_top (
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
         .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+        .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
+        .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
@@ -246,7 +260,9 @@ module splat_top (
         .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
         .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
         .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -261,7 +277,9 @@ module splat_top (
         .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
         .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -274,7 +292,10 @@ module splat_top (
         .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
         .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
         .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
+        .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -314,7 +335,10 @@ module splat_top (
         .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
         .in_attribute_2(tile_cache_out_attribute_2), .in_left(tile_cache_out_left),
         .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .in_first_sum(tile_cache_out_first_sum), .in_last_sum(tile_cache_out_last_sum),
+        .in_first_difference(tile_cache_out_first_difference),
+        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -1673,6 +1697,10 @@ module splat_rasterizer (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
@@ -1695,7 +1723,11 @@ module splat_rasterizer (
 );
     reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
-    reg [2:0] column, row, left, right, bottom;
+    reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
+    reg [3:0] first_sum;  // Smallest sum.
+    reg [3:0] last_sum;  // Largest sum.
+    reg [3:0] first_difference;  // Smallest difference.
+    reg [3:0] last_difference;  // Largest difference.
     reg [25:0] center_x;  // Projected center (px), the origin of what follows.
     reg [25:0] center_y;  // Projected center (px), the origin of what follows.
     reg [15:0] ax;  // `A` in x.
@@ -1717,11 +1749,43 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire column_is_right = column == right;
-    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
-    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
-    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
+    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] idle_bits = {1'd0, ~in_top};
+    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
+    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
+    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
+    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
+    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
+    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
+    wire idle_either = in_end | ({in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]});
+    wire row_done = column == row_end;
+    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
+    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
+    wire idle_same = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
+    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] in_top_plus_1 = in_top + 3'd1;
+    wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
+    wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
+    wire [3:0] next_begin_bits_2 = {1'd0, ~in_top_plus_1};
+    wire [3:0] next_begin_choice_2 = (in_first_difference < next_begin_bits_2) ? 4'd0 : (in_first_difference - next_begin_bits_2);
+    wire [3:0] next_begin_choice_3 = (next_begin_choice < next_begin_choice_2) ? next_begin_choice_2 : next_begin_choice;
+    wire [3:0] next_begin_choice_4 = (next_begin_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : next_begin_choice_3;
+    wire [2:0] row_plus_2 = row + 3'd2;
+    wire [3:0] next_begin_bits_3 = {1'd0, row_plus_2};
+    wire [3:0] next_begin_choice_5 = (first_sum < next_begin_bits_3) ? 4'd0 : (first_sum - next_begin_bits_3);
+    wire [3:0] next_begin_bits_4 = {1'd0, ~row_plus_2};
+    wire [3:0] next_begin_choice_6 = (first_difference < next_begin_bits_4) ? 4'd0 : (first_difference - next_begin_bits_4);
+    wire [3:0] next_begin_choice_7 = (next_begin_choice_5 < next_begin_choice_6) ? next_begin_choice_6 : next_begin_choice_5;
+    wire [3:0] next_begin_choice_8 = (next_begin_choice_7 < {1'd0, left}) ? {1'd0, left} : next_begin_choice_7;
+    wire [3:0] next_end_choice = (in_last_sum < next_begin_bits) ? 4'd0 : (in_last_sum - next_begin_bits);
+    wire [3:0] next_end_choice_2 = (in_last_difference < next_begin_bits_2) ? 4'd0 : (in_last_difference - next_begin_bits_2);
+    wire [3:0] next_end_choice_3 = (next_end_choice < next_end_choice_2) ? next_end_choice : next_end_choice_2;
+    wire [3:0] next_end_choice_4 = (next_end_choice_3 < {1'd0, in_right}) ? next_end_choice_3 : {1'd0, in_right};
+    wire [3:0] next_end_choice_5 = (last_sum < next_begin_bits_3) ? 4'd0 : (last_sum - next_begin_bits_3);
+    wire [3:0] next_end_choice_6 = (last_difference < next_begin_bits_4) ? 4'd0 : (last_difference - next_begin_bits_4);
+    wire [3:0] next_end_choice_7 = (next_end_choice_5 < next_end_choice_6) ? next_end_choice_5 : next_end_choice_6;
+    wire [3:0] next_end_choice_8 = (next_end_choice_7 < {1'd0, right}) ? next_end_choice_7 : {1'd0, right};
 
     assign in_ready = take;
     assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
@@ -1767,9 +1831,13 @@ module splat_rasterizer (
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
+            bottom <= in_bottom;
             left <= in_left;
             right <= in_right;
-            bottom <= in_bottom;
+            first_sum <= in_first_sum;
+            last_sum <= in_last_sum;
+            first_difference <= in_first_difference;
+            last_difference <= in_last_difference;
             center_x <= in_center_x;
             center_y <= in_center_y;
             ax <= in_ax;
@@ -1788,12 +1856,20 @@ module splat_rasterizer (
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
-            column <= load ? in_left : idle_choice;
-            row <= load ? in_top : idle_choice_2;
+            column <= load ? idle_choice_4[2:0] : idle_choice_10;
+            row <= load ? in_top : idle_choice_9;
+        end
+        if (row_end_enable_both) begin
+            row_end <= load ? idle_choice_8[2:0] : next_end;
+            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
-    wire _unused = &{1'b0, shared_out_valid};
+    wire _unused = &{
+        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
+        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+    };
 endmodule
 
 // Queue in a memory with a registered output.
@@ -2907,6 +2983,10 @@ module splat_tile_cache (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
@@ -2935,6 +3015,10 @@ module splat_tile_cache (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
@@ -3010,6 +3094,10 @@ module splat_tile_cache (
     reg [2:0] head_right;  // Last column.
     reg [2:0] head_top;  // First row.
     reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
@@ -3036,9 +3124,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [347:0] in_queue_out_data;
+    wire [363:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [348:0] out_queue_out_data;
+    wire [364:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [217:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -3070,32 +3158,36 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[347];
-    wire [25:0] in_queue_out_center_x = in_queue_out_data[346:321];
-    wire [25:0] in_queue_out_center_y = in_queue_out_data[320:295];
-    wire [15:0] in_queue_out_ax = in_queue_out_data[294:279];
-    wire [15:0] in_queue_out_bx = in_queue_out_data[278:263];
-    wire [15:0] in_queue_out_ay = in_queue_out_data[262:247];
-    wire [15:0] in_queue_out_by = in_queue_out_data[246:231];
-    wire [19:0] in_queue_out_delta = in_queue_out_data[230:211];
-    wire [15:0] in_queue_out_mx = in_queue_out_data[210:195];
-    wire [15:0] in_queue_out_my = in_queue_out_data[194:179];
-    wire [3:0] in_queue_out_shift = in_queue_out_data[178:175];
-    wire in_queue_out_sight_negative = in_queue_out_data[174];
-    wire [19:0] in_queue_out_sight_near = in_queue_out_data[173:154];
-    wire [19:0] in_queue_out_sight_far = in_queue_out_data[153:134];
-    wire in_queue_out_sight_turned = in_queue_out_data[133];
-    wire in_queue_out_sight_disc = in_queue_out_data[132];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[131:108];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[107:84];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[83:60];
-    wire [11:0] in_queue_out_attribute_0 = in_queue_out_data[59:48];
-    wire [11:0] in_queue_out_attribute_1 = in_queue_out_data[47:36];
-    wire [11:0] in_queue_out_attribute_2 = in_queue_out_data[35:24];
-    wire [2:0] in_queue_out_left = in_queue_out_data[23:21];
-    wire [2:0] in_queue_out_right = in_queue_out_data[20:18];
-    wire [2:0] in_queue_out_top = in_queue_out_data[17:15];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
+    wire in_queue_out_end = in_queue_out_data[363];
+    wire [25:0] in_queue_out_center_x = in_queue_out_data[362:337];
+    wire [25:0] in_queue_out_center_y = in_queue_out_data[336:311];
+    wire [15:0] in_queue_out_ax = in_queue_out_data[310:295];
+    wire [15:0] in_queue_out_bx = in_queue_out_data[294:279];
+    wire [15:0] in_queue_out_ay = in_queue_out_data[278:263];
+    wire [15:0] in_queue_out_by = in_queue_out_data[262:247];
+    wire [19:0] in_queue_out_delta = in_queue_out_data[246:227];
+    wire [15:0] in_queue_out_mx = in_queue_out_data[226:211];
+    wire [15:0] in_queue_out_my = in_queue_out_data[210:195];
+    wire [3:0] in_queue_out_shift = in_queue_out_data[194:191];
+    wire in_queue_out_sight_negative = in_queue_out_data[190];
+    wire [19:0] in_queue_out_sight_near = in_queue_out_data[189:170];
+    wire [19:0] in_queue_out_sight_far = in_queue_out_data[169:150];
+    wire in_queue_out_sight_turned = in_queue_out_data[149];
+    wire in_queue_out_sight_disc = in_queue_out_data[148];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[147:124];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[123:100];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[99:76];
+    wire [11:0] in_queue_out_attribute_0 = in_queue_out_data[75:64];
+    wire [11:0] in_queue_out_attribute_1 = in_queue_out_data[63:52];
+    wire [11:0] in_queue_out_attribute_2 = in_queue_out_data[51:40];
+    wire [2:0] in_queue_out_left = in_queue_out_data[39:37];
+    wire [2:0] in_queue_out_right = in_queue_out_data[36:34];
+    wire [2:0] in_queue_out_top = in_queue_out_data[33:31];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[30:28];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[27:24];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[23:20];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[19:16];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[15:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
     wire finish_inverted = ~(looking | looked | moving);
@@ -3129,7 +3221,8 @@ module splat_tile_cache (
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
-        out_right, out_top, out_bottom, out_tile, out_slot
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -3152,24 +3245,25 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w348 in_queue (
+    stream_half_buffer_w364 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left, in_right,
-            in_top, in_bottom, in_tile
+            in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w349 out_queue (
+    stream_half_buffer_w365 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_shift, head_sight_negative, head_sight_near, head_sight_far, head_sight_turned,
             head_sight_disc, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
-            head_attribute_2, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
+            head_attribute_2, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -3271,6 +3365,10 @@ module splat_tile_cache (
             head_right <= in_queue_out_right;
             head_top <= in_queue_out_top;
             head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
             head_tile <= in_queue_out_tile;
         end
         if (start_or_mode_is_4) begin
@@ -3409,14 +3507,14 @@ module stream_skid_w218 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 349
-module stream_half_buffer_w349 (
+// width = 365
+module stream_half_buffer_w365 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [348:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [348:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [364:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [364:0] out_data
 );
     reg full;
-    reg [348:0] item;
+    reg [364:0] item;
 
     assign in_ready = ~full;
 
@@ -3461,6 +3559,10 @@ module splat_reorder (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
@@ -3489,6 +3591,10 @@ module splat_reorder (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
     reg free_valid;
@@ -3496,14 +3602,14 @@ module splat_reorder (
     reg [10:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [334:0] stage_payload;
+    wire [350:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [347:0] in_queue_out_data;
+    wire [363:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [347:0] out_queue_out_data;
+    wire [363:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [347:0] caught_out_data;
+    wire [363:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile;
     wire [9:0] heap_out_pointer;
@@ -3511,7 +3617,7 @@ module splat_reorder (
     wire [9:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[347];
+    wire in_queue_out_end = in_queue_out_data[363];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -3527,32 +3633,33 @@ module splat_reorder (
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(335), .DEPTH(1024), .SLICE(18)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[346:12]),
+    memory_1w1r_unordered #(.WIDTH(351), .DEPTH(1024), .SLICE(18)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[362:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w348 in_queue (
+    stream_half_buffer_w364 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_sight_negative, in_sight_near, in_sight_far, in_sight_turned, in_sight_disc, in_depth,
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left, in_right,
-            in_top, in_bottom, in_tile
+            in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w348 out_queue (
+    stream_half_buffer_w364 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w348 caught (
+    stream_half_buffer_w364 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -4702,7 +4809,7 @@ module stream_skid_w22 (
 `endif
 endmodule
 
-// Splits a splat's rectangle into one copy per tile.
+// Splits a splat's octagon into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
@@ -4732,6 +4839,10 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
+    input  wire [9:0] in_first_sum,  // Smallest sum.
+    input  wire [9:0] in_last_sum,  // Largest sum.
+    input  wire [9:0] in_first_difference,  // Smallest difference.
+    input  wire [9:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [25:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -4759,9 +4870,13 @@ module splat_splitter (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last;
+    reg busy, located, idle, last;
     reg splat_end;  // Closes the frame.
     reg [25:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [25:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -4788,37 +4903,78 @@ module splat_splitter (
     reg [8:0] splat_right;  // Last column.
     reg [8:0] splat_top;  // First row.
     reg [8:0] splat_bottom;  // Last row.
+    reg [9:0] splat_first_sum;  // Smallest sum.
+    reg [9:0] splat_last_sum;  // Largest sum.
+    reg [9:0] splat_first_difference;  // Smallest difference.
+    reg [9:0] splat_last_difference;  // Largest difference.
     reg [5:0] column, row;
+    reg [3:0] first_sum, past_sum, first_difference, past_difference;
 
     wire out_queue_in_ready;
-    wire [347:0] out_queue_out_data;
+    wire [363:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
+    wire step = out_queue_in_ready & (busy & located);
+    wire [3:0] occupied_bits = {1'd0, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0};
     wire right_most = column == splat_right[8:3];
+    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
+    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
+    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
+    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
+    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0;
+    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
+    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
+    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
+    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
+    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
+    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
+    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
+    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
+    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
+    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
-    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
-    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
-    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
+    wire locate = busy & ~located;
+    wire moves = take | step;
+    wire last_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] row_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] column_choice = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire last_same = {row_choice, column_choice} == {splat_bottom[8:3], splat_right[8:3]};
+    wire [11:0] first_sum_bits = {3'd0, column, 3'd0};
+    wire [11:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
+    wire [11:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
+    wire [11:0] past_sum_difference = ({2'd0, splat_last_sum} + 12'd1) - first_sum_sum;
+    wire [11:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
+    wire [11:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
+    wire [3:0] first_difference_choice = |first_difference_difference[10:4] ? 4'd15 : first_difference_difference[3:0];
+    wire [11:0] past_difference_difference = ({2'd0, splat_last_difference} + 12'd1) - past_difference_sum;
+    wire [3:0] past_difference_choice = |past_difference_difference[10:4] ? 4'd15 : past_difference_difference[3:0];
 
     assign in_ready = ready;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
-        out_right, out_top, out_bottom, out_tile
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w348 out_queue (
-        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w364 out_queue (
+        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_sight_negative, splat_sight_near, splat_sight_far,
             splat_sight_turned, splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high,
-            splat_attribute_0, splat_attribute_1, splat_attribute_2,
-            (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0, right_most ? splat_right[2:0] : 3'd7,
-            (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
-            (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
+            splat_attribute_0, splat_attribute_1, splat_attribute_2, out_queue_in_data_choice_2,
+            out_queue_in_data_choice, occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum,
+            past_sum - 4'd1, first_difference, past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4827,16 +4983,17 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
-        end else if (out_queue_in_ready) begin
-            busy <= take | (busy & ~last);
-            idle <= take ? idle_either : (~busy | (last | idle_same));
+        end else begin
+            busy <= take | (busy & ~(step & last));
+            idle <= locate ? last : (idle & ~take);
         end
     end
     always @(posedge clk) begin
-        if (out_queue_in_ready) begin
-            last <= take ? idle_either : idle_same;
-            column <= take ? in_left[8:3] : idle_choice_2;
-            row <= take ? in_top[8:3] : idle_choice;
+        located <= locate | (located & ~moves);
+        if (moves) begin
+            last <= take ? last_either : last_same;
+            column <= take ? in_left[8:3] : column_choice;
+            row <= take ? in_top[8:3] : row_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -4865,19 +5022,31 @@ module splat_splitter (
             splat_right <= in_right;
             splat_top <= in_top;
             splat_bottom <= in_bottom;
+            splat_first_sum <= in_first_sum;
+            splat_last_sum <= in_last_sum;
+            splat_first_difference <= in_first_difference;
+            splat_last_difference <= in_last_difference;
+        end
+        if (locate) begin
+            first_sum <= first_sum_difference[11] ? 4'd0 : |first_sum_difference[10:4] ? 4'd15 : first_sum_difference[3:0];
+            past_sum <= past_sum_difference[11] ? 4'd0 : |past_sum_difference[10:4] ? 4'd15 : past_sum_difference[3:0];
+            first_difference <= first_difference_difference[11] ? 4'd0 : first_difference_choice;
+            past_difference <= past_difference_difference[11] ? 4'd0 : past_difference_choice;
         end
     end
+
+    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
 endmodule
 
 // One item in a register, at half rate.
-// width = 348
-module stream_half_buffer_w348 (
+// width = 364
+module stream_half_buffer_w364 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [347:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [347:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [363:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [363:0] out_data
 );
     reg full;
-    reg [347:0] item;
+    reg [363:0] item;
 
     assign in_ready = ~full;
 
@@ -4891,8 +5060,8 @@ module stream_half_buffer_w348 (
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
-// Footprint, depth band and bounding rectangle of a splat.
-// latency = 176
+// Footprint, depth band and bounding octagon of a splat.
+// latency = 174
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
@@ -4946,134 +5115,145 @@ module splat_setup (
     output wire [8:0] out_left,  // First column.
     output wire [8:0] out_right,  // Last column.
     output wire [8:0] out_top,  // First row.
-    output wire [8:0] out_bottom  // Last row.
+    output wire [8:0] out_bottom,  // Last row.
+    output wire [9:0] out_first_sum,  // Smallest sum.
+    output wire [9:0] out_last_sum,  // Largest sum.
+    output wire [9:0] out_first_difference,  // Smallest difference.
+    output wire [9:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [49:0] delay_5_from_0 [0:3];
+    reg [23:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_7_from_0 [0:5];
+    (* ram_style = "distributed" *)
+    reg delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
     reg [23:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [25:0] delay_10_from_0 [0:8];
+    reg [1:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg [27:0] delay_11_from_0 [0:9];
+    reg delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg delay_12_from_0 [0:10];
-    (* ram_style = "distributed" *)
-    reg delay_19_from_0 [0:17];
-    (* ram_style = "distributed" *)
-    reg [35:0] delay_22_from_0 [0:20];
+    reg [36:0] delay_22_from_0 [0:20];
     (* ram_style = "distributed" *)
     reg [8:0] delay_5_from_1 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_6_from_1 [0:4];
+    reg [24:0] delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
     reg [47:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_10_from_1 [0:8];
+    reg delay_11_from_1 [0:9];
+    (* ram_style = "distributed" *)
+    reg [15:0] delay_10_from_2 [0:8];
     (* ram_style = "distributed" *)
     reg [1:0] delay_11_from_2 [0:9];
     (* ram_style = "distributed" *)
-    reg delay_17_from_2 [0:15];
+    reg delay_19_from_2 [0:17];
     (* ram_style = "distributed" *)
     reg [23:0] delay_7_from_3 [0:5];
     (* ram_style = "distributed" *)
-    reg delay_11_from_3 [0:9];
-    (* ram_style = "distributed" *)
     reg [10:0] delay_5_from_4 [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_4 [0:5];
+    reg [47:0] delay_7_from_4 [0:5];
     (* ram_style = "distributed" *)
-    reg [15:0] delay_10_from_4 [0:8];
+    reg [49:0] delay_9_from_4 [0:7];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_5 [0:3];
+    reg [63:0] delay_11_from_4 [0:9];
+    (* ram_style = "distributed" *)
+    reg [32:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
     reg delay_7_from_5 [0:5];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_8_from_5 [0:6];
+    reg delay_8_from_5 [0:6];
     (* ram_style = "distributed" *)
-    reg [8:0] delay_5_from_6 [0:3];
+    reg [19:0] delay_10_from_5 [0:8];
     (* ram_style = "distributed" *)
-    reg delay_6_from_6 [0:4];
+    reg [36:0] delay_11_from_5 [0:9];
     (* ram_style = "distributed" *)
-    reg [52:0] delay_9_from_6 [0:7];
+    reg [53:0] delay_14_from_5 [0:12];
     (* ram_style = "distributed" *)
-    reg [64:0] delay_11_from_6 [0:9];
+    reg [1:0] delay_8_from_6 [0:6];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_12_from_6 [0:10];
+    reg delay_9_from_6 [0:7];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_7 [0:3];
+    reg [25:0] delay_10_from_6 [0:8];
     (* ram_style = "distributed" *)
-    reg [22:0] delay_8_from_7 [0:6];
+    reg [26:0] delay_11_from_6 [0:9];
+    (* ram_style = "distributed" *)
+    reg [2:0] delay_12_from_6 [0:10];
+    (* ram_style = "distributed" *)
+    reg [21:0] delay_8_from_7 [0:6];
     (* ram_style = "distributed" *)
     reg [57:0] delay_9_from_7 [0:7];
     (* ram_style = "distributed" *)
-    reg [19:0] delay_10_from_7 [0:8];
-    (* ram_style = "distributed" *)
-    reg [36:0] delay_11_from_7 [0:9];
+    reg delay_13_from_7 [0:11];
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
     reg [1:0] delay_5_from_0_pointer;
-    reg [49:0] delay_5_from_0_out;
+    reg [23:0] delay_5_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [23:0] delay_7_from_0_out;
+    reg [2:0] delay_8_from_0_pointer;
+    reg delay_8_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [23:0] delay_9_from_0_out;
-    reg [3:0] delay_10_from_0_pointer;
-    reg [25:0] delay_10_from_0_out;
     reg [3:0] delay_11_from_0_pointer;
-    reg [27:0] delay_11_from_0_out;
-    reg [3:0] delay_12_from_0_pointer;
-    reg delay_12_from_0_out;
-    reg [4:0] delay_19_from_0_pointer;
-    reg delay_19_from_0_out;
+    reg [1:0] delay_11_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg delay_14_from_0_out;
     reg [4:0] delay_22_from_0_pointer;
-    reg [35:0] delay_22_from_0_out;
+    reg [36:0] delay_22_from_0_out;
     reg [1:0] delay_5_from_1_pointer;
     reg [8:0] delay_5_from_1_out;
     reg [2:0] delay_6_from_1_pointer;
-    reg delay_6_from_1_out;
+    reg [24:0] delay_6_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
     reg [47:0] delay_9_from_1_out;
-    reg [3:0] delay_10_from_1_pointer;
-    reg delay_10_from_1_out;
+    reg [3:0] delay_11_from_1_pointer;
+    reg delay_11_from_1_out;
+    reg [3:0] delay_10_from_2_pointer;
+    reg [15:0] delay_10_from_2_out;
     reg [3:0] delay_11_from_2_pointer;
     reg [1:0] delay_11_from_2_out;
-    reg [3:0] delay_17_from_2_pointer;
-    reg delay_17_from_2_out;
+    reg [4:0] delay_19_from_2_pointer;
+    reg delay_19_from_2_out;
     reg [2:0] delay_7_from_3_pointer;
     reg [23:0] delay_7_from_3_out;
-    reg [3:0] delay_11_from_3_pointer;
-    reg delay_11_from_3_out;
     reg [1:0] delay_5_from_4_pointer;
     reg [10:0] delay_5_from_4_out;
     reg [2:0] delay_7_from_4_pointer;
-    reg [23:0] delay_7_from_4_out;
-    reg [3:0] delay_10_from_4_pointer;
-    reg [15:0] delay_10_from_4_out;
+    reg [47:0] delay_7_from_4_out;
+    reg [2:0] delay_9_from_4_pointer;
+    reg [49:0] delay_9_from_4_out;
+    reg [3:0] delay_11_from_4_pointer;
+    reg [63:0] delay_11_from_4_out;
     reg [1:0] delay_5_from_5_pointer;
-    reg [23:0] delay_5_from_5_out;
+    reg [32:0] delay_5_from_5_out;
     reg [2:0] delay_7_from_5_pointer;
     reg delay_7_from_5_out;
     reg [2:0] delay_8_from_5_pointer;
-    reg [24:0] delay_8_from_5_out;
-    reg [1:0] delay_5_from_6_pointer;
-    reg [8:0] delay_5_from_6_out;
-    reg [2:0] delay_6_from_6_pointer;
-    reg delay_6_from_6_out;
+    reg delay_8_from_5_out;
+    reg [3:0] delay_10_from_5_pointer;
+    reg [19:0] delay_10_from_5_out;
+    reg [3:0] delay_11_from_5_pointer;
+    reg [36:0] delay_11_from_5_out;
+    reg [3:0] delay_14_from_5_pointer;
+    reg [53:0] delay_14_from_5_out;
+    reg [2:0] delay_8_from_6_pointer;
+    reg [1:0] delay_8_from_6_out;
     reg [2:0] delay_9_from_6_pointer;
-    reg [52:0] delay_9_from_6_out;
+    reg delay_9_from_6_out;
+    reg [3:0] delay_10_from_6_pointer;
+    reg [25:0] delay_10_from_6_out;
     reg [3:0] delay_11_from_6_pointer;
-    reg [64:0] delay_11_from_6_out;
+    reg [26:0] delay_11_from_6_out;
     reg [3:0] delay_12_from_6_pointer;
-    reg [1:0] delay_12_from_6_out, delay_5_from_7_pointer;
-    reg [23:0] delay_5_from_7_out;
-    reg [2:0] delay_8_from_7_pointer;
-    reg [22:0] delay_8_from_7_out;
+    reg [2:0] delay_12_from_6_out, delay_8_from_7_pointer;
+    reg [21:0] delay_8_from_7_out;
     reg [2:0] delay_9_from_7_pointer;
     reg [57:0] delay_9_from_7_out;
-    reg [3:0] delay_10_from_7_pointer;
-    reg [19:0] delay_10_from_7_out;
-    reg [3:0] delay_11_from_7_pointer;
-    reg [36:0] delay_11_from_7_out;
-    reg end_d20, end_d21, end_d22;
+    reg [3:0] delay_13_from_7_pointer;
+    reg delay_13_from_7_out;
     reg [23:0] center_x_d1, center_y_d1, center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
     reg [23:0] tangent2_y_d1, tangent2_z_d1;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
@@ -5137,35 +5317,38 @@ module splat_setup (
     reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
     reg beyond_near_and_not_turned_d4, beyond_near_and_not_turned_d5;
     reg [23:0] reaches_near_sum_d1_copy2, r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2;
-    reg [23:0] q_d3, q_d4, e_d1;
-    reg whole_d1, whole_d8, whole_d9;
+    reg [23:0] q_d3, q_d4, q_d5, e_d1;
+    reg whole_d1, whole_d8, whole_d9, whole_d10, whole_d11, whole_d12, whole_d13;
     reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, b_depth_d7;
-    reg [23:0] center_depth_d8, center_depth_d9, q_times_f_d1, spread_middle_d1, spread_middle_d2, spread_half_d1;
-    reg [23:0] spread_half_d2, spread_half_d3, before_far_sum_d1, before_far_joined_d1;
-    reg before_far_in_order_d1, before_far_in_order_d2;
+    reg [23:0] center_depth_d8, center_depth_d9, spread_middle_d1, spread_middle_d2, spread_half_d1, spread_half_d2;
+    reg [23:0] spread_half_d3, before_far_sum_d1, before_far_joined_d1;
+    reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
+    reg sight_disc_out_d14, sight_disc_out_d15, sight_disc_out_d16;
     reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
-    reg [23:0] b_x_joined_times_r_d1, center_x_d6, center_x_d7, center_x_d8, center_x_d9, t_x_sum_d1, t_x_sum_d2;
-    reg [23:0] t_x_d1, a_x_squared_plus_b_x_squared_d1, a_x_squared_plus_b_x_squared_d2, h_x_product_d1;
-    reg [23:0] center_x_minus_t_x_d1, center_x_minus_t_x_d2, center_x_minus_t_x_d3, center_x_minus_t_x_d4;
-    reg [23:0] center_x_minus_first_x_joined_d1, center_x_plus_first_x_joined_d1, f_times_scale_x_d1;
-    reg [23:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1;
-    reg [23:0] last_x_chosen_d2, last_x_chosen_d3, first_x_chosen_d1_copy2, last_x_chosen_d1_copy2;
-    reg [23:0] center_x_minus_filter_radius_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
+    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6, center_x_d7, center_x_d8;
+    reg [23:0] center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
+    reg [23:0] center_x_plus_first_x_joined_d1, f_times_scale_x_d1, first_x_joined_d1_copy2, first_x_chosen_d1;
+    reg [23:0] first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1, last_x_chosen_d2, last_x_chosen_d3;
+    reg [23:0] first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
+    reg [23:0] filter_radius_plus_center_x_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
-    reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4, last_x_d5;
-    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d6, center_y_d7;
-    reg [23:0] center_y_d8, center_y_d9, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
+    reg [8:0] last_x_d1, last_x_d2, last_x_d3, last_x_d4;
+    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d1_copy2, center_y_d2;
+    reg [23:0] center_y_d3, center_y_d4, center_y_d5, center_y_d6, center_y_d7, center_y_d8, center_y_d9;
+    reg [23:0] center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
     reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
     reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
     reg [23:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
     reg first_y_in_order_d1_copy3;
     reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3;
     reg [23:0] first_y_chosen_d4, last_y_chosen_d1, last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2;
-    reg [23:0] last_y_chosen_d1_copy2, center_y_minus_filter_radius_d1, filter_radius_plus_center_y_d1;
-    reg [23:0] first_y_chosen_d1_copy3, last_y_chosen_d1_copy3;
+    reg [23:0] last_y_chosen_d1_copy2, filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3;
+    reg [23:0] last_y_chosen_d1_copy3, first_y_greater_d1;
     reg [21:0] first_y_shifted_d1;
-    reg [23:0] last_y_lesser_d1;
-    reg [21:0] last_y_shifted_d1, last_y_lesser_d1_copy2;
+    reg [23:0] last_y_greater_d1;
+    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [8:0] last_y_d1, last_y_d2, last_y_d3, last_y_d4;
     reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
     reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
@@ -5174,7 +5357,7 @@ module splat_setup (
     reg a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
     reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2, a_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1;
-    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3, a_x_sign_d4;
+    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3;
     reg [23:0] unit_delta_joined_d1;
     reg [10:0] a_y_bits_plus_127_d1;
     reg not_zero_is_a_y_bits_d1, not_zero_is_a_y_bits_d2, not_zero_is_a_y_bits_d3, unit_delta_both_d1_copy2;
@@ -5188,7 +5371,7 @@ module splat_setup (
     reg b_x_bits_is_255_d1, b_x_bits_is_255_d2, b_x_bits_is_255_d3;
     reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2, b_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy3;
-    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3, b_x_sign_d4;
+    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3;
     reg [23:0] unit_delta_joined_d1_copy3;
     reg [10:0] b_y_bits_plus_127_d1;
     reg not_zero_is_b_y_bits_d1, not_zero_is_b_y_bits_d2, not_zero_is_b_y_bits_d3, unit_delta_both_d1_copy4;
@@ -5196,7 +5379,7 @@ module splat_setup (
     reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2, b_y_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1, b_y_sign_d2, b_y_sign_d3;
-    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
+    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1;
     reg [10:0] beta_bits_d1, beta_bits_d2, beta_bits_d3, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
     reg [10:0] alpha_bits_d3, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
     reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, not_zero_is_beta_bits_d3, mx_both_d1;
@@ -5208,25 +5391,25 @@ module splat_setup (
     reg alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
     reg [23:0] mx_joined_d1_copy2, mx_product_d1, minus_mx_product_d1, my_product_d1, minus_my_product_d1;
-    reg [10:0] largest_sum_d1, largest_sum_d2, largest_sum_d3, unit_delta_bits_d1, largest_greater_d1;
-    reg [10:0] largest_greater_plus_154_d1, largest_greater_plus_154_d2;
+    reg [10:0] largest_sum_d1, largest_sum_d2, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
+    reg [10:0] largest_greater_plus_154_d2;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
     reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
-    reg [10:0] largest_sum_d3_copy2, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_sum_d3, largest_d1, a_x_bits_plus_381_d1;
     reg exponent_both_d1;
-    reg [22:0] exponent_joined_d1;
-    reg [23:0] exponent_joined_d1_copy2;
+    reg [7:0] exponent_chosen_d1;
+    reg [23:0] exponent_joined_d1;
     reg [10:0] a_y_bits_plus_381_d1;
     reg exponent_both_d1_copy2;
-    reg [22:0] exponent_joined_d1_copy3;
-    reg [23:0] exponent_joined_d1_copy4;
+    reg [7:0] exponent_chosen_d1_copy2;
+    reg [23:0] exponent_joined_d1_copy2;
     reg [10:0] b_x_bits_plus_381_d1;
     reg exponent_both_d1_copy3;
-    reg [22:0] exponent_joined_d1_copy5;
+    reg [7:0] exponent_chosen_d1_copy3;
     reg [10:0] b_y_bits_plus_381_d1;
     reg exponent_both_d1_copy4;
-    reg [22:0] exponent_joined_d1_copy6;
+    reg [7:0] exponent_chosen_d1_copy4;
     reg [10:0] delta_sum_d1;
     reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
     reg [14:0] unit_delta_bits_d1_copy2;
@@ -5245,15 +5428,34 @@ module splat_setup (
     reg my_bits_d1_copy3;
     reg [10:0] edge_on_lesser_d1;
     reg edge_on_lesser_below_32_d1, edge_on_lesser_below_32_d2, unit_delta_bits_is_zero_d1;
-    reg [7:0] unit_delta_product_bits_d1;
-    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, sight_negative_out_d1;
-    reg [23:0] exponent_joined_d1_copy7, exponent_joined_d1_copy8, delta_times_one_over_b_depth_d1;
-    reg end_or_visible_d1, end_or_visible_d2, end_or_visible_d3, end_or_visible_d4;
-    reg center_x_bits_below_140_d1, placed_d1;
+    reg edge_on_in_order_d1;
+    reg [23:0] first_sum_sum_d1, first_sum_sum_d2, f_times_first_sum_sum_d1, first_sum_sum_d1_copy2;
+    reg [23:0] first_sum_product_d1, first_difference_sum_d1, root_of_first_sum_sum_d1, first_sum_sum_d1_copy3;
+    reg [23:0] first_sum_chosen_d1;
+    reg [26:0] first_sum_sum_d1_copy4;
+    reg [23:0] last_sum_sum_d1, last_sum_chosen_d1;
+    reg [26:0] last_sum_sum_d1_copy2;
+    reg [23:0] first_difference_sum_d1_copy2, first_difference_chosen_d1;
+    reg [26:0] first_difference_sum_d1_copy3;
+    reg [23:0] last_difference_sum_d1, last_difference_chosen_d1;
+    reg [26:0] last_difference_sum_d1_copy2;
+    reg [21:0] center_x_fixed_d1;
+    reg whole_and_first_sum_both_d1;
+    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
+    reg [26:0] first_sum_greater_d1, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
+    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy4, last_difference_sum_d1_copy3;
+    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy4, first_difference_greater_d1;
+    reg [26:0] first_difference_d1, last_difference_lesser_d1;
+    reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
+    reg [9:0] first_sum_out_d1, last_sum_out_d1, last_sum_out_d2, first_difference_out_d1, last_difference_out_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_both_d3;
+    reg sight_negative_out_d1, visible_both_d1_copy2;
+    reg [23:0] exponent_joined_d1_copy3, exponent_joined_d1_copy4, delta_times_one_over_b_depth_d1;
+    reg end_or_visible_d1, placed_d1, placed_d2;
     reg [27:0] center_x_out_shifted_d1;
-    reg [25:0] center_x_out_lesser_d1;
+    reg [25:0] center_x_out_lesser_d1, center_x_out_d12, center_x_out_d13, center_x_out_d14, center_x_out_d15;
     reg [27:0] center_y_out_shifted_d1;
-    reg [25:0] center_y_out_lesser_d1, center_y_out_d12, center_y_out_d13, center_y_out_d14, center_y_out_d15;
+    reg [25:0] center_y_out_lesser_d1, center_y_out_d11, center_y_out_d12, center_y_out_d13, center_y_out_d14;
     reg [26:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
     reg [26:0] shift_difference_d1_copy2;
     reg [25:0] shift_chosen_bits_d1;
@@ -5282,7 +5484,7 @@ module splat_setup (
     reg [3:0] shift_chosen_d1_copy3;
     reg shift_either_bits_is_zero_d1_copy2, shift_either_sign_is_zero_d1;
     reg [3:0] shift_d1, shift_d2, shift_d3;
-    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d11, exponent_chosen_d1, exponent_joined_bits_d1;
+    reg [9:0] shift_plus_4_d1, delta_bits_d1, delta_bits_d11, exponent_chosen_d1_copy5, exponent_joined_bits_d1;
     reg [9:0] exponent_joined_bits_d1_copy2, exponent_joined_bits_d11, mx_bits_d1_copy4, mx_bits_d11;
     reg [9:0] my_bits_d1_copy4, my_bits_d11, exponent_greater_d1, exponent_greater_d1_copy2;
     reg [9:0] exponent_greater_d1_copy3, exponent_greater_d1_copy4, exponent_greater_d1_copy5, exponent_d1;
@@ -5323,7 +5525,7 @@ module splat_setup (
     reg [19:0] vanishes_lesser_d1;
     reg exponent_chosen_bits_is_255_d1, exponent_joined_bits_is_255_d1, exponent_chosen_bits_is_255_d1_copy2;
     reg odd_either_d1, mx_bits_is_255_d1_copy2, my_bits_is_255_d1_copy2, odd_d1, vanishes_d1, not_placed_d1;
-    reg not_placed_d2, not_placed_d3, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2, covers_nothing_d1;
+    reg edge_on_or_not_placed_d1, edge_on_or_not_placed_d2, covers_nothing_d1;
     reg [10:0] sight_near_out_bits_d9, sight_near_out_bits_plus_126_d1;
     reg sight_near_out_in_order_d1, sight_near_out_bits_is_255_d1;
     reg [10:0] sight_near_out_sum_d1;
@@ -5340,42 +5542,48 @@ module splat_setup (
     reg [23:0] sight_far_out_joined_d1_copy2;
     reg [19:0] sight_far_out_d1;
     reg [23:0] middle_depth_minus_epsilon_d1, depth_low_out_d1, depth_low_out_d2, depth_low_out_d3, depth_low_out_d4;
-    reg [23:0] depth_high_out_d1, depth_high_out_d2, depth_high_out_d3, depth_high_out_d4, max_f24_ftz_unit_a;
-    reg [23:0] max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a, max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a;
-    reg [23:0] lt_f24_ftz_unit_b, lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a;
-    reg [23:0] add_f24_ftz_unit_copy6_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
+    reg [23:0] middle_depth_plus_epsilon_d1, depth_high_out_d1, depth_high_out_d2, depth_high_out_d3;
+    reg [23:0] depth_high_out_d4, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
+    reg [23:0] max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b, lt_f24_ftz_unit_copy2_a;
+    reg [23:0] lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
+    reg [23:0] add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b, add_f24_ftz_unit_copy5_a;
+    reg [23:0] add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a, add_f24_ftz_unit_copy6_b;
+    reg [23:0] add_f24_ftz_unit_copy7_a, add_f24_ftz_unit_copy7_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
     reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b;
     reg [23:0] mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b, sqrt_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a;
+    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b;
+    reg [23:0] mul_f24_ftz_unit_copy8_a, mul_f24_ftz_unit_copy8_b, sqrt_f24_ftz_unit_a, le_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b, min_f24_ftz_unit_copy2_a;
+    reg [23:0] min_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s22q8_unit_a, to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a;
     reg [23:0] to_fixed_f24_ftz_u20q19_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [21:0] in_flight;
 
     wire queue_in_ready;
-    wire [359:0] queue_out_data;
+    wire [399:0] queue_out_data;
     wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
     wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, recip_f24_ftz_unit_y, mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y, sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, add_f24_ftz_unit_copy7_y, recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
+    wire [23:0] mul_f24_ftz_unit_copy8_y, sqrt_f24_ftz_unit_y;
     wire le_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_y, min_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
+    wire [21:0] to_fixed_f24_ftz_s22q8_unit_y;
     wire [26:0] to_fixed_f24_ftz_s27q13_unit_y;
     wire [16:0] to_fixed_f24_ftz_s17q16_unit_y;
     wire [20:0] to_fixed_f24_ftz_s21q20_unit_y;
     wire [19:0] to_fixed_f24_ftz_u20q19_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire phase_is_0 = phase == 3'd0;
-    wire queue_in_valid_both = in_flight[21] & end_or_visible_d4 & phase_is_0;
-    wire [25:0] center_x_out_d15 = delay_5_from_0_out[49:24];
+    wire phase_is_6 = phase == 3'd6;
+    wire queue_in_valid_both = in_flight[21] & end_or_visible_d1 & phase_is_6;
+    wire end_d22 = delay_22_from_0_out[0];
     wire [15:0] ax_out = covers_nothing_d1 ? 16'd0 : ax_out_lesser_d1;
     wire [15:0] bx_out = covers_nothing_d1 ? 16'd0 : bx_out_lesser_d1;
     wire [15:0] ay_out = covers_nothing_d1 ? 16'd0 : ay_out_lesser_d1;
@@ -5383,12 +5591,13 @@ module splat_setup (
     wire [19:0] delta_out = covers_nothing_d1 ? 20'd0 : vanishes_lesser_d1;
     wire [15:0] mx_out = covers_nothing_d1 ? 16'd0 : mx_out_lesser_d1;
     wire [15:0] my_out = covers_nothing_d1 ? 16'd0 : my_out_lesser_d1;
+    wire sight_negative_out_d13 = delay_12_from_6_out[2];
     wire [19:0] sight_near_out = covers_nothing_d1 ? 20'd0 : sight_near_out_chosen_d1;
-    wire turned_d22 = delay_12_from_6_out[0];
-    wire [23:0] depth_out_d8 = delay_8_from_5_out[24:1];
-    wire [11:0] attribute_0_d22 = delay_22_from_0_out[11:0];
-    wire [11:0] attribute_1_d22 = delay_22_from_0_out[23:12];
-    wire [11:0] attribute_2_d22 = delay_22_from_0_out[35:24];
+    wire turned_d21 = delay_12_from_6_out[0];
+    wire [11:0] attribute_0_d22 = delay_22_from_0_out[12:1];
+    wire [11:0] attribute_1_d22 = delay_22_from_0_out[24:13];
+    wire [11:0] attribute_2_d22 = delay_22_from_0_out[36:25];
+    wire [8:0] first_y_d5 = delay_5_from_5_out[32:24];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
@@ -5530,10 +5739,12 @@ module splat_setup (
     wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_y;
     wire zero_is_lowered = 11'd0 == delay_5_from_4_out;
     wire whole = not_turned_and_whole_in_order & zero_is_lowered;
+    wire whole_d7 = delay_6_from_1_out[0];
     wire before_far_in_order = mul_f24_ftz_unit_y[22:0] < 23'd16;
     wire [22:0] before_far_difference = mul_f24_ftz_unit_y[22:0] - 23'd16;
     wire [22:0] before_far_chosen = before_far_in_order ? 23'd0 : before_far_difference;
-    wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
+    wire sight_disc_out_d11 = delay_11_from_6_out[0];
+    wire beyond_near = whole_d7 & le_f24_ftz_unit_y;
     wire [23:0] middle_depth_chosen = delay_7_from_5_out ? center_depth_d9 : 24'd0;
     wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : middle_depth_chosen;
     wire [23:0] half_depth_chosen_d9 = delay_9_from_7_out[23:0];
@@ -5542,12 +5753,11 @@ module splat_setup (
     wire [22:0] first_x_product_bits_minus_16 = mul_f24_ftz_unit_copy4_y[22:0] - 23'd16;
     wire [22:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 23'd0 : first_x_product_bits_minus_16;
     wire first_x_chosen_d11 = delay_11_from_0_out[0];
-    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'd0;
     wire last_x_chosen_d11 = delay_11_from_0_out[1];
-    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
-    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_x_chosen_d3;
-    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy4_y : last_x_chosen_d3;
-    wire sight_disc_out_d11 = delay_11_from_6_out[0];
+    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'h45fff8;
+    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy4_y : first_x_chosen_d3;
+    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy5_y : last_x_chosen_d3;
     wire [23:0] first_x_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
     wire [23:0] last_x_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
@@ -5556,16 +5766,15 @@ module splat_setup (
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [8:0] last_x = last_x_lesser_minus_1[8:0];
-    wire [23:0] center_y_d5 = delay_5_from_0_out[23:0];
     wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy7_y[22:0] < 23'd16;
-    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy7_y[22:0] - 23'd16;
+    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy6_y[22:0] < 23'd16;
+    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy6_y[22:0] - 23'd16;
     wire [22:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 23'd0 : first_y_product_bits_minus_16;
     wire first_y_chosen_d11 = delay_11_from_2_out[0];
-    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'd0;
     wire last_y_chosen_d11 = delay_11_from_2_out[1];
-    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
-    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy2_y : first_y_chosen_d4;
+    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'h45fff8;
+    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy6_y : first_y_chosen_d4;
     wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_y_chosen_d3;
     wire [23:0] first_y_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
     wire [23:0] last_y_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
@@ -5573,12 +5782,12 @@ module splat_setup (
     wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1_copy2 - 22'd1;
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [8:0] last_y = last_y_lesser_minus_1[8:0];
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
     wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
-    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
     wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy6_y[22:15]};
     wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
@@ -5586,9 +5795,9 @@ module splat_setup (
     wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
     wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
     wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
-    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1_bits;
     wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
     wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
@@ -5596,9 +5805,9 @@ module splat_setup (
     wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
     wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
     wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
-    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
     wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
@@ -5606,9 +5815,9 @@ module splat_setup (
     wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
-    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
     wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
@@ -5616,19 +5825,17 @@ module splat_setup (
     wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
-    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d3;
-    wire [10:0] alpha_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d3;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d3 + a_exponent_plus_127;
-    wire zero_is_beta_bits = zero_is_a_x_bits;
+    wire zero_is_beta_bits = zero_is_b_x_bits;
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d3;
@@ -5639,7 +5846,7 @@ module splat_setup (
     wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d3[14:0]} : 23'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d3 + b_exponent_plus_127;
-    wire zero_is_alpha_bits = 11'd0 == alpha_bits_d1_bits;
+    wire zero_is_alpha_bits = zero_is_a_x_bits;
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d3;
@@ -5648,13 +5855,14 @@ module splat_setup (
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d3 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d3[14:0]} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
     wire [10:0] largest_sum = delay_5_from_4_out + a_exponent_plus_b_exponent;
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy7_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
-    wire [10:0] largest_sum_copy2 = largest_sum_d3 + unit_delta_bits_d1_bits;
+    wire [10:0] largest_sum_copy2 = largest_sum_d2 + unit_delta_bits_d1_bits;
     wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
     wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
     wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
@@ -5667,21 +5875,21 @@ module splat_setup (
     wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
     wire [10:0] lowered_plus_m_exponent = delay_5_from_4_out + m_exponent_d1;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
-    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3_copy2) ? largest_sum_d3_copy2 : largest_greater_d1_copy3;
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3) ? largest_sum_d3 : largest_greater_d1_copy3;
     wire [10:0] a_x_bits_plus_381 = a_x_bits_d2 + 11'd381;
     wire exponent_in_order = largest_d1 < a_x_bits_plus_381_d1;
     wire exponent_both = not_zero_is_a_x_bits_d3 & exponent_in_order;
     wire [10:0] exponent_difference = a_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] exponent_chosen = a_x_bits_is_255_d3 ? a_x_bits_d3 : exponent_difference;
     wire exponent_either = a_x_bits_is_255_d3 | exponent_both_d1;
-    wire [22:0] exponent_chosen_copy2 = exponent_either ? exponent_joined_d1 : 23'd0;
+    wire [22:0] exponent_chosen_copy2 = exponent_either ? {exponent_chosen_d1, a_x_bits_d3_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_381 = a_y_bits_d2 + 11'd381;
     wire exponent_in_order_copy2 = largest_d1 < a_y_bits_plus_381_d1;
     wire exponent_both_copy2 = not_zero_is_a_y_bits_d3 & exponent_in_order_copy2;
     wire [10:0] exponent_difference_copy2 = a_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] exponent_chosen_copy3 = a_y_bits_is_255_d3 ? a_y_bits_d3 : exponent_difference_copy2;
     wire exponent_either_copy2 = a_y_bits_is_255_d3 | exponent_both_d1_copy2;
-    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? exponent_joined_d1_copy3 : 23'd0;
+    wire [22:0] exponent_chosen_copy4 = exponent_either_copy2 ? {exponent_chosen_d1_copy2, a_y_bits_d3_copy2} : 23'd0;
     wire [10:0] b_x_bits_plus_381 = b_x_bits_d2 + 11'd381;
     wire exponent_in_order_copy3 = largest_d1 < b_x_bits_plus_381_d1;
     wire exponent_both_copy3 = not_zero_is_b_x_bits_d3 & exponent_in_order_copy3;
@@ -5692,7 +5900,7 @@ module splat_setup (
     wire exponent_both_copy4 = not_zero_is_b_y_bits_d3 & exponent_in_order_copy4;
     wire [10:0] exponent_difference_copy4 = b_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] exponent_chosen_copy7 = b_y_bits_is_255_d3 ? b_y_bits_d3 : exponent_difference_copy4;
-    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d3;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d2;
     wire [10:0] delta_sum = unit_delta_bits_d1_bits + largest_sum_plus_127_copy2;
     wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
     wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
@@ -5714,7 +5922,7 @@ module splat_setup (
     wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
     wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
     wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy4_y[22:15]};
     wire [10:0] mx_sum_plus_my_bits = mx_sum_d3 + my_bits_d1_bits;
     wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
     wire not_zero_is_my_bits = ~zero_is_my_bits;
@@ -5725,33 +5933,66 @@ module splat_setup (
     wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy7_y[22:15]};
     wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_d1[22:15]};
+    wire [23:0] first_sum_chosen = sight_disc_out_d13 ? max_f24_ftz_unit_y : first_sum_sum_d1_copy3;
+    wire [26:0] first_sum_sum = {4'd0, to_fixed_f24_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f24_ftz_u23q8_unit_y} >> 7);
+    wire [23:0] last_sum_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_y : last_sum_sum_d1;
+    wire [26:0] last_sum_sum = first_sum_sum;
+    wire [23:0] first_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : first_difference_sum_d1_copy2;
+    wire [26:0] first_difference_sum = first_sum_sum;
+    wire [23:0] last_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : last_difference_sum_d1;
+    wire [26:0] last_difference_sum = first_sum_sum;
+    wire whole_and_first_sum_both = whole_d13 & delay_14_from_0_out;
+    wire [26:0] first_sum_sum_d14 = delay_14_from_5_out[26:0];
+    wire [26:0] first_sum_difference = first_sum_sum_d14 - first_sum_sum_d1_copy4;
+    wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + first_sum_sum_d14;
+    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
+    wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
+    wire [26:0] first_sum = whole_and_first_sum_both_d1 ? first_sum_greater_d1 : 27'd0;
+    wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd1023)) ? last_sum_shifted_d1 : 27'd1023;
+    wire [26:0] first_difference_difference_d14 = delay_14_from_5_out[53:27];
+    wire [26:0] first_difference_difference_copy2 = first_difference_difference_d14 - first_difference_sum_d1_copy3;
+    wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
+    wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd511;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + first_difference_difference_d14;
+    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
+    wire [26:0] last_difference_sum_copy4 = 27'd511 + last_difference_shifted_d1;
+    wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy4)) ? first_difference_sum_d1_copy4 : 27'd0;
+    wire [26:0] first_difference = whole_and_first_sum_both_d1 ? first_difference_greater_d1 : 27'd0;
+    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy4) < $signed(27'd1023)) ? last_difference_sum_d1_copy4 : 27'd1023;
+    wire [26:0] last_sum = whole_and_first_sum_both_d1 ? last_sum_lesser_d1 : 27'd1023;
+    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum_d1));
+    wire [26:0] last_difference = whole_and_first_sum_both_d1 ? last_difference_lesser_d1 : 27'd1023;
+    wire visible_in_order = ~($signed(last_difference) < $signed(first_difference_d1));
     wire before_far_d12 = delay_12_from_6_out[1];
     wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
     wire before_far_and_occupied_x = before_far_d12 & occupied_x;
-    wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1_copy2;
-    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
-    wire turned_and_lowered_chosen_sign_d9 = delay_9_from_6_out[1];
-    wire sight_negative_out = add_f24_ftz_unit_copy6_y[23] ^ turned_and_lowered_chosen_sign_d9;
-    wire not_exponent_joined_sign = ~a_x_sign_d4;
+    wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
+    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
+    wire turned_and_lowered_chosen_sign_d8 = delay_8_from_6_out[1];
+    wire sight_negative_out = add_f24_ftz_unit_copy7_y[23] ^ turned_and_lowered_chosen_sign_d8;
+    wire visible_both = first_sum_up_to_last_sum_d1 & visible_in_order_d1;
+    wire visible_both_and_visible_both = visible_both & visible_both_d3;
+    wire visible_both_copy3 = delay_19_from_2_out & visible_both_and_visible_both;
+    wire not_exponent_joined_sign = ~a_x_sign_d3;
     wire not_exponent_joined_sign_copy2 = ~a_y_sign_d3;
-    wire reaches_near_and_visible_both = delay_17_from_2_out & visible_both_d1;
-    wire visible = reaches_near_and_visible_both & delay_10_from_1_out;
-    wire end_or_visible = delay_19_from_0_out | visible;
-    wire center_x_bits_below_140 = {2'd0, add_f24_ftz_unit_copy4_y[22:15]} < 10'd140;
-    wire center_y_bits_below_140 = {2'd0, add_f24_ftz_unit_copy3_y[22:15]} < 10'd140;
-    wire placed = center_x_bits_below_140_d1 & center_y_bits_below_140;
+    wire visible = visible_both_d1_copy2 & delay_13_from_7_out;
+    wire end_or_visible = end_d22 | visible;
+    wire center_x_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
+    wire center_y_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy5_y[22:15]} < 10'd140;
+    wire placed = center_x_bits_below_140_copy2 & center_y_bits_below_140_copy2;
     wire [27:0] center_x_out_sum_bits = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s27q13_unit_y[26];
     wire [27:0] center_x_out_sum = center_x_out_sum_bits + {27'd0, not_center_x_fixed_sign};
     wire [27:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(28'h1ffffff)) ? center_x_out_shifted_d1 : 28'h1ffffff;
+    wire [25:0] center_x_out_d11 = delay_11_from_6_out[26:1];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
     wire [27:0] center_y_out_sum = center_x_out_sum_bits + {27'd0, not_center_y_fixed_sign};
     wire [27:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(28'h1ffffff)) ? center_y_out_shifted_d1 : 28'h1ffffff;
-    wire [25:0] center_y_out_d11 = delay_11_from_0_out[27:2];
     wire [8:0] first_x = first_x_shifted_d1_shifted[8:0];
     wire [26:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
     wire [26:0] last_x_plus_1 = 27'd1 + {18'd0, last_x_d1};
@@ -5805,28 +6046,28 @@ module splat_setup (
     wire [3:0] shift_chosen_copy14 = not_shift_either_bits_is_zero_copy7 ? 4'd10 : shift_chosen_d1_copy3;
     wire [3:0] shift = not_shift_either_sign_is_zero ? 4'd11 : shift_chosen_copy14;
     wire [9:0] shift_plus_4 = {6'd0, shift_d1} + 10'd4;
-    wire [9:0] delta_bits_d10 = delay_9_from_6_out[12:3];
+    wire [9:0] delta_bits_d10 = delay_9_from_4_out[9:0];
     wire shift_plus_4_below_delta_bits = shift_plus_4_d1 < delta_bits_d10;
     wire [9:0] delta_bits_minus_shift_plus_4 = delta_bits_d10 - shift_plus_4_d1;
     wire [9:0] exponent_chosen_copy11 = shift_plus_4_below_delta_bits ? delta_bits_minus_shift_plus_4 : 10'd0;
     wire exponent_either_copy3 = b_x_bits_is_255_d3 | exponent_both_d1_copy3;
-    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? exponent_joined_d1_copy5 : 23'd0;
+    wire [22:0] exponent_chosen_copy6 = exponent_either_copy3 ? {exponent_chosen_d1_copy3, b_x_bits_d3_copy2} : 23'd0;
     wire exponent_either_copy4 = b_y_bits_is_255_d3 | exponent_both_d1_copy4;
-    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? exponent_joined_d1_copy6 : 23'd0;
-    wire [9:0] exponent_joined_bits_d10_copy2 = delay_9_from_6_out[32:23];
+    wire [22:0] exponent_chosen_copy8 = exponent_either_copy4 ? {exponent_chosen_d1_copy4, b_y_bits_d3_copy2} : 23'd0;
+    wire [9:0] exponent_joined_bits_d10_copy2 = delay_9_from_4_out[29:20];
     wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
     wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_bits_d1_copy2} : 23'd0;
     wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
-    wire [9:0] mx_bits_d10 = delay_9_from_6_out[42:33];
+    wire [9:0] mx_bits_d10 = delay_9_from_4_out[39:30];
     wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
     wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen_d1, my_bits_d1_copy2} : 23'd0;
     wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
-    wire [9:0] my_bits_d10 = delay_9_from_6_out[52:43];
-    wire [9:0] exponent_chosen_bits_d10 = delay_10_from_7_out[9:0];
-    wire [9:0] exponent_greater = (exponent_chosen_d1 < exponent_chosen_bits_d10) ? exponent_chosen_bits_d10 : exponent_chosen_d1;
-    wire [9:0] exponent_joined_bits_d10 = delay_9_from_6_out[22:13];
+    wire [9:0] my_bits_d10 = delay_9_from_4_out[49:40];
+    wire [9:0] exponent_chosen_bits_d10 = delay_10_from_5_out[9:0];
+    wire [9:0] exponent_greater = (exponent_chosen_d1_copy5 < exponent_chosen_bits_d10) ? exponent_chosen_bits_d10 : exponent_chosen_d1_copy5;
+    wire [9:0] exponent_joined_bits_d10 = delay_9_from_4_out[19:10];
     wire [9:0] exponent_greater_copy2 = (exponent_joined_bits_d10 < exponent_greater_d1) ? exponent_greater_d1 : exponent_joined_bits_d10;
-    wire [9:0] exponent_chosen_bits_d10_copy2 = delay_10_from_7_out[19:10];
+    wire [9:0] exponent_chosen_bits_d10_copy2 = delay_10_from_5_out[19:10];
     wire [9:0] exponent_greater_copy3 = (exponent_chosen_bits_d10_copy2 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_chosen_bits_d10_copy2;
     wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d11 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d11;
     wire [9:0] exponent_greater_copy5 = (mx_bits_d11 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d11;
@@ -5836,22 +6077,22 @@ module splat_setup (
     wire ax_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1;
     wire ax_out_inverted = ~zero_is_exponent_chosen_bits_d1;
     wire ax_out_both = ax_out_in_order & ax_out_inverted;
-    wire exponent_chosen_sign_d11 = delay_11_from_7_out[0];
+    wire exponent_chosen_sign_d11 = delay_11_from_5_out[0];
     wire [9:0] ax_out_difference = exponent_chosen_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] exponent_chosen_bits_d11 = delay_11_from_7_out[15:1];
+    wire [14:0] exponent_chosen_bits_d11 = delay_11_from_5_out[15:1];
     wire [17:0] ax_out_sum_bits = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s17q16_unit_y[16];
     wire [17:0] ax_out_sum = ax_out_sum_bits + {17'd0, not_ax_out_joined_fixed_sign};
     wire [17:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(18'h7fff)) ? ax_out_shifted_d1 : 18'h7fff;
     wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d10 + 10'd126;
     wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
-    wire bx_out_inverted_d11 = delay_11_from_7_out[16];
+    wire bx_out_inverted_d11 = delay_11_from_5_out[16];
     wire bx_out_both = bx_out_in_order & bx_out_inverted_d11;
-    wire exponent_joined_sign_d11 = delay_11_from_6_out[1];
+    wire exponent_joined_sign_d11 = delay_11_from_4_out[0];
     wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d11_copy2 = delay_11_from_6_out[16:2];
+    wire [14:0] exponent_joined_bits_d11_copy2 = delay_11_from_4_out[15:1];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] bx_out_sum = ax_out_sum_bits + {17'd0, not_bx_out_joined_fixed_sign};
     wire [17:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(18'h7fff)) ? bx_out_shifted_d1 : 18'h7fff;
@@ -5860,43 +6101,43 @@ module splat_setup (
     wire ay_out_in_order = exponent_d1 < exponent_chosen_bits_plus_126_d1_copy2;
     wire ay_out_inverted = ~zero_is_exponent_chosen_bits_d1_copy2;
     wire ay_out_both = ay_out_in_order & ay_out_inverted;
-    wire exponent_chosen_sign_d11_copy2 = delay_11_from_7_out[17];
+    wire exponent_chosen_sign_d11_copy2 = delay_11_from_5_out[17];
     wire [9:0] ay_out_difference = exponent_chosen_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] exponent_chosen_bits_d11_copy2 = delay_11_from_7_out[32:18];
+    wire [14:0] exponent_chosen_bits_d11_copy2 = delay_11_from_5_out[32:18];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] ay_out_sum = ax_out_sum_bits + {17'd0, not_ay_out_joined_fixed_sign};
     wire [17:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(18'h7fff)) ? ay_out_shifted_d1 : 18'h7fff;
     wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d10_copy2 + 10'd126;
     wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
-    wire by_out_inverted_d11 = delay_11_from_7_out[33];
+    wire by_out_inverted_d11 = delay_11_from_5_out[33];
     wire by_out_both = by_out_in_order & by_out_inverted_d11;
-    wire exponent_joined_sign_d11_copy2 = delay_11_from_6_out[17];
+    wire exponent_joined_sign_d11_copy2 = delay_11_from_4_out[16];
     wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d11_copy3 = delay_11_from_6_out[32:18];
+    wire [14:0] exponent_joined_bits_d11_copy3 = delay_11_from_4_out[31:17];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] by_out_sum = ax_out_sum_bits + {17'd0, not_by_out_joined_fixed_sign};
     wire [17:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(18'h7fff)) ? by_out_shifted_d1 : 18'h7fff;
     wire [9:0] mx_bits_plus_126 = mx_bits_d10 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d11 = delay_11_from_7_out[34];
+    wire not_zero_is_mx_bits_d11 = delay_11_from_5_out[34];
     wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d11;
-    wire mx_sign_d11 = delay_11_from_6_out[33];
+    wire mx_sign_d11 = delay_11_from_4_out[32];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d11_copy2 = delay_11_from_6_out[48:34];
+    wire [14:0] mx_bits_d11_copy2 = delay_11_from_4_out[47:33];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] mx_out_sum = ax_out_sum_bits + {17'd0, not_mx_out_joined_fixed_sign};
     wire [17:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(18'h7fff)) ? mx_out_shifted_d1 : 18'h7fff;
     wire [9:0] my_bits_plus_126 = my_bits_d10 + 10'd126;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire not_zero_is_my_bits_d11 = delay_11_from_7_out[35];
+    wire not_zero_is_my_bits_d11 = delay_11_from_5_out[35];
     wire my_out_both = my_out_in_order & not_zero_is_my_bits_d11;
-    wire my_sign_d11 = delay_11_from_6_out[49];
+    wire my_sign_d11 = delay_11_from_4_out[48];
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
-    wire [14:0] my_bits_d11_copy2 = delay_11_from_6_out[64:50];
+    wire [14:0] my_bits_d11_copy2 = delay_11_from_4_out[63:49];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [17:0] my_out_sum = ax_out_sum_bits + {17'd0, not_my_out_joined_fixed_sign};
     wire [17:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(18'h7fff)) ? my_out_shifted_d1 : 18'h7fff;
@@ -5904,20 +6145,20 @@ module splat_setup (
     wire [9:0] delta_bits_plus_126 = delta_bits_d11 + 10'd126;
     wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
     wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d10 = delay_10_from_4_out[0];
-    wire not_zero_is_delta_bits_d11 = delay_11_from_7_out[36];
+    wire delta_sign_d10 = delay_10_from_2_out[0];
+    wire not_zero_is_delta_bits_d11 = delay_11_from_5_out[36];
     wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d11;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d10_copy2 = delay_10_from_4_out[15:1];
+    wire [14:0] delta_bits_d10_copy2 = delay_10_from_2_out[15:1];
     wire [21:0] vanishes_sum_bits = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s21q20_unit_y[20];
     wire [21:0] vanishes_sum = vanishes_sum_bits + {21'd0, not_vanishes_joined_fixed_sign};
     wire [21:0] vanishes_lesser = ($signed(vanishes_shifted_d1) < $signed(22'h7ffff)) ? vanishes_shifted_d1 : 22'h7ffff;
-    wire turned_d10 = delay_9_from_6_out[0];
-    wire [23:0] exponent_chosen_copy9 = turned_d10 ? exponent_joined_d1_copy7 : exponent_joined_d1_copy2;
+    wire turned_d9 = delay_8_from_6_out[0];
+    wire [23:0] exponent_chosen_copy9 = turned_d9 ? exponent_joined_d1_copy3 : exponent_joined_d1;
     wire exponent_chosen_bits_is_255 = {2'd0, exponent_chosen_copy9[22:15]} == 10'd255;
     wire exponent_joined_bits_is_255 = exponent_joined_bits_d1 == 10'd255;
-    wire [23:0] exponent_chosen_copy10 = turned_d10 ? exponent_joined_d1_copy8 : exponent_joined_d1_copy4;
+    wire [23:0] exponent_chosen_copy10 = turned_d9 ? exponent_joined_d1_copy4 : exponent_joined_d1_copy2;
     wire exponent_chosen_bits_is_255_copy2 = {2'd0, exponent_chosen_copy10[22:15]} == 10'd255;
     wire odd_either = exponent_chosen_bits_is_255_d1 | exponent_joined_bits_is_255_d1;
     wire odd_either_copy2 = odd_either | exponent_chosen_bits_is_255_d1_copy2;
@@ -5932,12 +6173,12 @@ module splat_setup (
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(20'd32);
     wire vanishes_in_order_copy3 = $signed(20'hfffe0) < $signed(vanishes_lesser_d1);
     wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
-    wire not_placed = ~placed_d1;
+    wire not_placed = ~placed_d2;
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
-    wire edge_on_or_not_placed = edge_on | not_placed_d3;
-    wire covers_nothing = vanishes_d1 | delay_11_from_3_out;
-    wire [10:0] sight_near_out_bits_d8 = delay_8_from_7_out[11:1];
+    wire edge_on_or_not_placed = edge_on | not_placed_d1;
+    wire covers_nothing = vanishes_d1 | delay_11_from_1_out;
+    wire [10:0] sight_near_out_bits_d8 = delay_8_from_7_out[10:0];
     wire [10:0] sight_near_out_bits_plus_126 = 11'd126 + sight_near_out_bits_d8;
     wire sight_near_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_near_out_bits_plus_126_d1;
     wire sight_near_out_bits_is_255 = 11'd255 == sight_near_out_bits_d8;
@@ -5954,9 +6195,8 @@ module splat_setup (
     wire [10:0] sight_near_out_chosen_copy2 = sight_near_out_bits_is_255_d1 ? sight_near_out_bits_d9 : sight_near_out_chosen;
     wire [14:0] sight_near_out_bits_d9_copy2 = delay_9_from_7_out[39:25];
     wire [14:0] sight_near_out_chosen_copy3 = sight_near_out_both_copy3 ? 15'd0 : sight_near_out_bits_d9_copy2;
-    wire beyond_near_d8 = delay_8_from_5_out[0];
-    wire [19:0] sight_near_out_chosen_copy5 = beyond_near_d8 ? 20'hfffff : to_fixed_f24_ftz_u20q19_unit_y;
-    wire [10:0] abs_sight_far_out_product_bits_d8 = delay_8_from_7_out[22:12];
+    wire [19:0] sight_near_out_chosen_copy5 = delay_8_from_5_out ? 20'hfffff : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [10:0] abs_sight_far_out_product_bits_d8 = delay_8_from_7_out[21:11];
     wire [10:0] sight_far_out_sum = 11'd126 + abs_sight_far_out_product_bits_d8;
     wire sight_far_out_in_order = {1'd0, shift_plus_4_plus_exponent} < sight_far_out_sum_d1;
     wire sight_far_out_same_copy2 = 11'd255 == abs_sight_far_out_product_bits_d8;
@@ -5974,138 +6214,151 @@ module splat_setup (
     wire [14:0] sight_far_out_chosen_copy3 = sight_far_out_both_copy3 ? 15'd0 : abs_sight_far_out_product_bits_d9_copy2;
     wire abs_sight_far_out_product_sign_d9 = delay_9_from_7_out[57];
     wire [22:0] sight_far_out_chosen_copy4 = sight_far_out_either_d1 ? sight_far_out_joined_d1 : 23'd0;
-    wire all_before_far_d8 = delay_8_from_7_out[0];
-    wire [19:0] sight_far_out_chosen_copy5 = all_before_far_d8 ? 20'd0 : to_fixed_f24_ftz_u20q19_unit_y;
+    wire [19:0] sight_far_out_chosen_copy5 = delay_8_from_0_out ? 20'd0 : to_fixed_f24_ftz_u20q19_unit_y;
     wire [19:0] sight_far_out = covers_nothing ? 20'd0 : sight_far_out_chosen_copy5;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : 24'd0;
-    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : first_x_chosen_d1_copy3;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[0] ? 24'd0 : first_sum_product_d1;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : max_f24_ftz_unit_a_choice;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[0] ? first_sum_product_d1 : 24'd0;
+    wire [23:0] max_f24_ftz_unit_a_choice_4 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_a_choice_5 = phase[1] ? max_f24_ftz_unit_a_choice_3 : max_f24_ftz_unit_a_choice_4;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : filter_radius_plus_center_x_d1;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
     wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy7_y : first_x_chosen_d1_copy3) : max_f24_ftz_unit_b_choice_3;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice = phase[1] ? max_f24_ftz_unit_a_choice_3 : max_f24_ftz_unit_a_choice;
     wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_a_choice = phase[1] ? 24'd0 : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? first_y_chosen_d1_copy3 : middle_depth_d1) : add_f24_ftz_unit_copy6_y;
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_minus_epsilon_d1;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? 24'd0 : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? last_difference_sum_d1 : min_f24_ftz_unit_y) : phase[0] ? first_y_chosen_d1_copy3 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? middle_depth_plus_epsilon_d1 : middle_depth_minus_epsilon_d1;
     wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? max_f24_ftz_unit_copy2_b_choice_2 : phase[0] ? last_y_lesser_d1 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? max_f24_ftz_unit_copy2_b_choice_2 : phase[0] ? middle_depth_d1 : max_f24_ftz_unit_copy2_b_bits;
     wire [23:0] lt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? near_plane : 24'h3d0000) : phase[0] ? 24'd0 : center_z_d1;
-    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy5_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_y;
     wire [23:0] lt_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : in_center_z) : in_center_z;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy7_y : max_f24_ftz_unit_copy2_a_bits;
     wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0) : lt_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy5_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? spread_middle_d1 : depth_a;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy4_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? delay_5_from_0_out : depth_a;
     wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : mul_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_b_choice = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? spread_half_d2 : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
     wire not_depth_a_sign = ~depth_a[23];
     wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
     wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? epsilon_bias : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? filter_radius : center_z_d1) : phase[0] ? delay_5_from_7_out : delay_7_from_3_out;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : center_y_minus_t_y_d4) : phase[0] ? center_x_d9 : a_x_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? center_x_d9 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
-    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? origin_x : center_z_d1) : phase[0] ? center_y_d5 : delay_7_from_3_out;
     wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : minus_h_y_d1) : phase[0] ? minus_filter_radius : minus_mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : center_x_minus_t_x_d4) : phase[0] ? center_y_d5 : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mx_product_d1) : phase[0] ? origin_y : b_x_joined_times_r_d1;
-    wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : minus_filter_radius) : phase[0] ? origin_x : a_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? first_x_joined_d1_copy2 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy7_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_y_d10) : phase[0] ? scale_x_times_v_x_d1 : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : spread_middle_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mx_product_d1) : phase[0] ? center_x_d9 : b_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : spread_half_d2) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? minus_filter_radius : {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : minus_mx_product_d1) : add_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? origin_x : sqrt_f24_ftz_unit_y) : phase[0] ? minus_filter_radius : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : middle_depth_d3) : phase[0] ? origin_y : origin_x;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? first_x_joined_d1_copy2 : center_x_minus_t_x_d4) : phase[0] ? center_y_d9 : mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy7_y : {~epsilon_d1[23], epsilon_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy4_b_choice_2 : phase[0] ? first_y_joined_d1_copy2 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[0] ? center_y_d1 : center_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = phase[1] ? (phase[0] ? my_product_d1 : filter_radius) : phase[0] ? filter_radius : a_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? minus_my_product_d1 : center_y_d9) : phase[0] ? center_y_d9 : minus_mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? unit_delta_product_d1 : phase[0] ? unit_delta_product_d1 : b_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : first_x_joined_d1) : epsilon_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? minus_unit_delta_product_d1 : minus_mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? minus_unit_delta_product_d1 : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? center_y_d1 : center_x_minus_t_x_d4) : phase[0] ? root_of_first_sum_sum_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : my_product_d1) : phase[0] ? filter_radius : a_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : minus_sqrt_f24_ftz_unit_y;
+    wire [23:0] t_x_plus_t_y_d6 = delay_6_from_1_out[24:1];
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? {~t_x_plus_t_y_d6[23], t_x_plus_t_y_d6[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = phase[0] ? center_x_d9 : {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : minus_my_product_d1) : add_f24_ftz_unit_copy4_b_choice_4;
+    wire [23:0] t_x_minus_t_y_d7 = delay_7_from_4_out[47:24];
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? center_y_d1 : sqrt_f24_ftz_unit_y) : phase[0] ? t_x_minus_t_y_d7 : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : t_x_d1) : phase[0] ? origin_y : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : center_x_minus_t_x_d4) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[0] ? mul_f24_ftz_unit_copy5_y : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy8_y : t_y_d1) : add_f24_ftz_unit_copy5_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? origin_y : center_x_d1) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d3) : phase[0] ? center_y_minus_t_y_d4 : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[0] ? first_y_joined_d1_copy2 : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]} : f_times_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_4 = phase[0] ? add_f24_ftz_unit_copy4_y : {~epsilon_d1[23], epsilon_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_5 = phase[1] ? add_f24_ftz_unit_copy6_b_choice_4 : phase[0] ? minus_h_y_d1 : first_sum_sum_d1_copy2;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? unit_delta_product_d1 : center_x_d1) : t_x_plus_t_y_d6;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_d3) : phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice = phase[0] ? {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]} : first_x_joined_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy7_b_choice : root_of_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_3 = phase[0] ? center_y_d9 : {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : epsilon_d1) : add_f24_ftz_unit_copy7_b_choice_3;
     wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
-    wire [23:0] f_chosen = whole_d1 ? e_d1 : delay_5_from_5_out;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? q_d4 : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? half_depth_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : f_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : depth_b) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_y) : phase[0] ? before_far_sum_d1 : sqrt_f24_ftz_unit_y;
+    wire [23:0] reaches_near_sum_d6 = delay_5_from_5_out[23:0];
+    wire [23:0] f_chosen = whole_d1 ? e_d1 : reaches_near_sum_d6;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? half_depth_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : q_d5;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : depth_b) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_y) : phase[0] ? before_far_sum_d1 : f_d1;
     wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? scale_x : b_depth_d7) : phase[0] ? beta_d3 : beta_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_times_f_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? unit_delta_joined_d1_copy4 : a_x_squared_plus_b_x_squared_d2;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_copy2_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? scale_x : delay_7_from_4_out) : phase[0] ? mul_f24_ftz_unit_copy2_y : v_x_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? unit_delta_joined_d1_copy3 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy3 : sqrt_f24_ftz_unit_y;
+    wire [23:0] abs_b_depth_d7 = delay_7_from_4_out[23:0];
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : abs_b_depth_d7) : phase[0] ? mul_f24_ftz_unit_y : v_x_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_y) : phase[0] ? filter_radius : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? 24'h3fb600 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_joined_d2;
     wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y) : phase[0] ? delta_d1 : f_times_scale_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? b_y_joined_d2 : b_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_x_squared_plus_b_x_squared_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? alpha_d3 : b_x_joined_d2;
     wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? scale_y : scale_x) : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : phase[0] ? r_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : t_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
     wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[0] ? sight_near_out_joined : a_y_squared_plus_b_y_squared_d2;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy5_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : a_y_d1) : phase[0] ? alpha_d3 : v_y_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? sight_near_out_joined : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : t_x_d1) : phase[0] ? beta_d3 : v_y_chosen_d3;
     wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_y) : phase[0] ? one_minus_depth_a_d9 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : a_y_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? delta_times_one_over_b_depth_d1 : scale_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_y_d1) : phase[0] ? beta_d3 : a_y_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : b_y_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? one_minus_depth_a_d9 : f_times_scale_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
     wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? q_d2 : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? before_far_joined_d1 : phase[0] ? before_far_joined_d1 : 24'h3f8000;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? delta_times_one_over_b_depth_d1 : first_y_chosen_d9;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : a_x_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : a_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_copy2_y) : unit_delta_joined_d1;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : a_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y) : unit_delta_joined_d1_copy4;
+    wire [23:0] mul_f24_ftz_unit_copy8_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_x_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : b_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice = phase[1] ? (phase[0] ? a_y_squared_plus_b_y_squared_d2 : b_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : q_d2) : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : first_difference_sum_d1) : first_difference_sum_d1;
+    wire [23:0] le_f24_ftz_unit_a_choice = phase[1] ? add_f24_ftz_unit_copy3_y : phase[0] ? add_f24_ftz_unit_copy3_y : depth_b;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : before_far_joined_d1;
     wire [23:0] le_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? first_x_chosen_d1_copy2 : phase[0] ? 24'h45fff8 : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? first_y_chosen_d1_copy2 : 24'h45fff8) : 24'h45fff8;
-    wire [23:0] delay_7_from_4_data_bits = {1'd0, mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? center_x_minus_filter_radius_d1 : phase[0] ? last_y_chosen_d1_copy3 : delay_7_from_4_data_bits;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[0] ? center_y_minus_filter_radius_d1 : last_x_chosen_d1_copy3;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] to_fixed_f24_ftz_s27q13_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : phase[0] ? ax_out_joined_d1 : my_out_joined_d1;
-    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h470000 : first_x_chosen_d1_copy2) : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? 24'h45fff8 : phase[0] ? first_y_chosen_d1_copy2 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? first_sum_chosen_d1 : center_x_minus_filter_radius_d1) : {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? last_y_chosen_d1_copy3 : last_x_chosen_d1_copy3) : phase[0] ? add_f24_ftz_unit_copy2_y : last_sum_chosen_d1;
+    wire [23:0] min_f24_ftz_unit_copy2_b_choice = phase[0] ? last_difference_chosen_d1 : first_difference_chosen_d1;
+    wire [23:0] min_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? min_f24_ftz_unit_copy2_b_choice : first_difference_chosen_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : last_y_greater_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = phase[1] ? last_y_greater_d1 : phase[0] ? first_y_greater_d1 : max_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = phase[1] ? center_y_d1_copy2 : phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice_2 = phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s22q8_unit_a_choice;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice = phase[1] ? (phase[0] ? mx_out_joined_d1 : by_out_joined_d1) : phase[0] ? ay_out_joined_d1 : bx_out_joined_d1;
+    wire [23:0] to_fixed_f24_ftz_s17q16_unit_a_choice_2 = phase[1] ? (phase[0] ? ax_out_joined_d1 : my_out_joined_d1) : my_out_joined_d1;
     wire sight_near_out_bits_d9_copy3 = delay_9_from_7_out[40];
     wire [22:0] sight_near_out_chosen_copy4 = sight_near_out_either_d1 ? sight_near_out_joined_d1 : 23'd0;
     wire [23:0] to_fixed_f24_ftz_u20q19_unit_a_choice = phase[0] ? sight_far_out_joined_d1_copy2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
-    wire [23:0] to_fixed_f24_ftz_u20q19_unit_a_choice_2 = phase[1] ? to_fixed_f24_ftz_u20q19_unit_a_choice : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
+    wire [23:0] to_fixed_f24_ftz_u20q19_unit_a_choice_2 = phase[1] ? sight_far_out_joined_d1_copy2 : to_fixed_f24_ftz_u20q19_unit_a_choice;
+    wire all_before_far = beyond_near;
     wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
-    wire [25:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 26'h2000000;
-    wire [25:0] center_y_out = placed_d1 ? center_y_out_lesser_d1 : 26'h2000000;
     wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_y;
     wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy2_y : lt_f24_ftz_unit_y;
+    wire center_x_bits_below_140 = {3'd0, add_f24_ftz_unit_copy2_y[22:15]} < 11'd140;
+    wire center_y_bits_below_140 = {3'd0, add_f24_ftz_unit_copy5_y[22:15]} < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
     wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy2_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
-    wire visible_unequal_d9 = delay_9_from_6_out[2];
-    wire visible_unequal_copy3 = sight_negative_out_d1 ^ visible_unequal_d9;
-    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy3;
+    wire odd_or_edge_on_or_not_placed = odd_d1 | edge_on_or_not_placed_d2;
     wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy2_y;
     wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy2_y : first_y_in_order_d1_copy3;
     wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_y;
-    wire odd_or_edge_on_or_not_placed = odd_d1 | edge_on_or_not_placed_d2;
-    wire visible_unequal = scale_x[23] ^ scale_y[23];
-    wire swapped_and_turned = swapped_d1 & turned;
-    wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
-    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
-    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
-    wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
-    wire before_far = before_far_both | before_far_in_order_d2;
-    wire all_before_far = beyond_near;
-    wire sight_far_out_same = zero_is_b_y_bits;
-    wire not_sight_far_out_same = ~sight_far_out_same;
-    wire zero_is_sight_near_out_bits = zero_is_a_y_bits;
-    wire sight_near_out_inverted = ~zero_is_sight_near_out_bits;
-    wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
     wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
     wire not_zero_is_delta_bits = ~zero_is_delta_bits;
     wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
@@ -6116,22 +6369,44 @@ module splat_setup (
     wire by_out_inverted = ~zero_is_exponent_joined_bits_copy2;
     wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
     wire bx_out_inverted = ~zero_is_exponent_joined_bits;
+    wire [26:0] first_difference_difference_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
+    wire [26:0] first_difference_difference_bits_2 = {{5{to_fixed_f24_ftz_s22q8_unit_y[21]}}, to_fixed_f24_ftz_s22q8_unit_y};
+    wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
+    wire [26:0] first_sum_sum_copy2 = first_difference_difference_bits + first_difference_difference_bits_2;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
+    wire visible_unequal = scale_x[23] ^ scale_y[23];
+    wire swapped_and_turned = swapped_d1 & turned;
+    wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
+    wire [25:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 26'h2000000;
+    wire [25:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 26'h2000000;
+    wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
+    wire before_far = before_far_both | before_far_in_order_d2;
+    wire sight_far_out_same = zero_is_b_y_bits;
+    wire not_sight_far_out_same = ~sight_far_out_same;
+    wire zero_is_sight_near_out_bits = zero_is_a_y_bits;
+    wire sight_near_out_inverted = ~zero_is_sight_near_out_bits;
+    wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
+    wire visible_unequal_copy3 = sight_negative_out_d1 ^ delay_9_from_6_out;
+    wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy3;
 
     assign in_ready = load_0;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_sight_negative, out_sight_near, out_sight_far, out_sight_turned, out_sight_disc,
         out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_left,
-        out_right, out_top, out_bottom
+        out_right, out_top, out_bottom, out_first_sum, out_last_sum, out_first_difference,
+        out_last_difference
     } = queue_out_data;
 
-    stream_skid_w360 queue (
+    stream_skid_w400 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d22, center_x_out_d15, center_y_out_d15, ax_out, bx_out, ay_out, by_out, delta_out, mx_out,
-            my_out, shift_d3, delay_12_from_0_out, sight_near_out, sight_far_out_d1, turned_d22,
-            delay_6_from_6_out, depth_out_d8, depth_low_out_d4, depth_high_out_d4, attribute_0_d22,
-            attribute_1_d22, attribute_2_d22, delay_5_from_1_out, last_x_d5, delay_5_from_6_out, last_y_d4
+            end_d22, center_x_out_d15, center_y_out_d14, ax_out, bx_out, ay_out, by_out, delta_out, mx_out,
+            my_out, shift_d3, sight_negative_out_d13, sight_near_out, sight_far_out_d1, turned_d21,
+            sight_disc_out_d16, delay_7_from_0_out, depth_low_out_d4, depth_high_out_d4, attribute_0_d22,
+            attribute_1_d22, attribute_2_d22, delay_5_from_1_out, last_x_d4, first_y_d5, last_y_d4,
+            first_sum_out_d1, last_sum_out_d2, first_difference_out_d1, last_difference_out_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -6186,6 +6461,11 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy6_y)
     );
 
+    float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_a), .b(add_f24_ftz_unit_copy7_b),
+        .y(add_f24_ftz_unit_copy7_y)
+    );
+
     float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
@@ -6225,6 +6505,11 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy8 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_a), .b(mul_f24_ftz_unit_copy8_b),
+        .y(mul_f24_ftz_unit_copy8_y)
+    );
+
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
@@ -6239,9 +6524,24 @@ module splat_setup (
         .y(min_f24_ftz_unit_y)
     );
 
+    float_min_s2_f24ftz min_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_copy2_a), .b(min_f24_ftz_unit_copy2_b),
+        .y(min_f24_ftz_unit_copy2_y)
+    );
+
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_f24_ftz_u23q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u23q8_unit_a),
+        .y(to_fixed_f24_ftz_u23q8_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_f24_ftz_s22q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s22q8_unit_a),
+        .y(to_fixed_f24_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w27_f13_signed to_fixed_f24_ftz_s27q13_unit (
@@ -6280,36 +6580,38 @@ module splat_setup (
             load_6 <= 1'd0;
             load_7 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
+            delay_7_from_0_pointer <= 3'd0;
+            delay_8_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
-            delay_10_from_0_pointer <= 4'd0;
             delay_11_from_0_pointer <= 4'd0;
-            delay_12_from_0_pointer <= 4'd0;
-            delay_19_from_0_pointer <= 5'd0;
+            delay_14_from_0_pointer <= 4'd0;
             delay_22_from_0_pointer <= 5'd0;
             delay_5_from_1_pointer <= 2'd0;
             delay_6_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
-            delay_10_from_1_pointer <= 4'd0;
+            delay_11_from_1_pointer <= 4'd0;
+            delay_10_from_2_pointer <= 4'd0;
             delay_11_from_2_pointer <= 4'd0;
-            delay_17_from_2_pointer <= 4'd0;
+            delay_19_from_2_pointer <= 5'd0;
             delay_7_from_3_pointer <= 3'd0;
-            delay_11_from_3_pointer <= 4'd0;
             delay_5_from_4_pointer <= 2'd0;
             delay_7_from_4_pointer <= 3'd0;
-            delay_10_from_4_pointer <= 4'd0;
+            delay_9_from_4_pointer <= 3'd0;
+            delay_11_from_4_pointer <= 4'd0;
             delay_5_from_5_pointer <= 2'd0;
             delay_7_from_5_pointer <= 3'd0;
             delay_8_from_5_pointer <= 3'd0;
-            delay_5_from_6_pointer <= 2'd0;
-            delay_6_from_6_pointer <= 3'd0;
+            delay_10_from_5_pointer <= 4'd0;
+            delay_11_from_5_pointer <= 4'd0;
+            delay_14_from_5_pointer <= 4'd0;
+            delay_8_from_6_pointer <= 3'd0;
             delay_9_from_6_pointer <= 3'd0;
+            delay_10_from_6_pointer <= 4'd0;
             delay_11_from_6_pointer <= 4'd0;
             delay_12_from_6_pointer <= 4'd0;
-            delay_5_from_7_pointer <= 2'd0;
             delay_8_from_7_pointer <= 3'd0;
             delay_9_from_7_pointer <= 3'd0;
-            delay_10_from_7_pointer <= 4'd0;
-            delay_11_from_7_pointer <= 4'd0;
+            delay_13_from_7_pointer <= 4'd0;
             in_flight <= 22'd0;
         end else begin
             phase <= phase_next;
@@ -6323,11 +6625,11 @@ module splat_setup (
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
+                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
-                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
+                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
                 delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
                 in_flight <= {in_flight[20:0], in_valid};
             end
@@ -6335,47 +6637,46 @@ module splat_setup (
                 delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
-                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
             end
             if (load_2) begin
+                delay_10_from_2_pointer <= (delay_10_from_2_pointer == 4'd8) ? (delay_10_from_2_pointer - 4'd8) : (delay_10_from_2_pointer + 4'd1);
                 delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
-                delay_17_from_2_pointer <= (delay_17_from_2_pointer == 4'd15) ? (delay_17_from_2_pointer - 4'd15) : (delay_17_from_2_pointer + 4'd1);
+                delay_19_from_2_pointer <= (delay_19_from_2_pointer == 5'd17) ? (delay_19_from_2_pointer - 5'd17) : (delay_19_from_2_pointer + 5'd1);
             end
             if (load_3) begin
                 delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
-                delay_11_from_3_pointer <= (delay_11_from_3_pointer == 4'd9) ? (delay_11_from_3_pointer - 4'd9) : (delay_11_from_3_pointer + 4'd1);
             end
             if (load_4) begin
                 delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
                 delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
-                delay_10_from_4_pointer <= (delay_10_from_4_pointer == 4'd8) ? (delay_10_from_4_pointer - 4'd8) : (delay_10_from_4_pointer + 4'd1);
+                delay_9_from_4_pointer <= (delay_9_from_4_pointer == 3'd7) ? (delay_9_from_4_pointer - 3'd7) : (delay_9_from_4_pointer + 3'd1);
+                delay_11_from_4_pointer <= (delay_11_from_4_pointer == 4'd9) ? (delay_11_from_4_pointer - 4'd9) : (delay_11_from_4_pointer + 4'd1);
             end
             if (load_5) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
                 delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
                 delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
+                delay_10_from_5_pointer <= (delay_10_from_5_pointer == 4'd8) ? (delay_10_from_5_pointer - 4'd8) : (delay_10_from_5_pointer + 4'd1);
+                delay_11_from_5_pointer <= (delay_11_from_5_pointer == 4'd9) ? (delay_11_from_5_pointer - 4'd9) : (delay_11_from_5_pointer + 4'd1);
+                delay_14_from_5_pointer <= (delay_14_from_5_pointer == 4'd12) ? (delay_14_from_5_pointer - 4'd12) : (delay_14_from_5_pointer + 4'd1);
             end
             if (load_6) begin
-                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
-                delay_6_from_6_pointer <= (delay_6_from_6_pointer == 3'd4) ? (delay_6_from_6_pointer - 3'd4) : (delay_6_from_6_pointer + 3'd1);
+                delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
                 delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
+                delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
                 delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
                 delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
             end
             if (load_7) begin
-                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
                 delay_8_from_7_pointer <= (delay_8_from_7_pointer == 3'd6) ? (delay_8_from_7_pointer - 3'd6) : (delay_8_from_7_pointer + 3'd1);
                 delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
-                delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
-                delay_11_from_7_pointer <= (delay_11_from_7_pointer == 4'd9) ? (delay_11_from_7_pointer - 4'd9) : (delay_11_from_7_pointer + 4'd1);
+                delay_13_from_7_pointer <= (delay_13_from_7_pointer == 4'd11) ? (delay_13_from_7_pointer - 4'd11) : (delay_13_from_7_pointer + 4'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            end_d20 <= delay_19_from_0_out;
-            end_d21 <= end_d20;
-            end_d22 <= end_d21;
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
@@ -6388,60 +6689,64 @@ module splat_setup (
             turned_greater_d1 <= turned_greater;
             center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
             lowered_greater_d1_copy2 <= lowered_greater_copy2;
-            before_far_in_order_d1 <= le_f24_ftz_unit_y;
-            before_far_in_order_d2 <= before_far_in_order_d1;
             epsilon_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            scale_x_times_v_x_d1 <= mul_f24_ftz_unit_copy5_y;
+            center_x_d6 <= delay_5_from_0_out;
+            center_x_d7 <= center_x_d6;
+            center_x_d8 <= center_x_d7;
+            center_x_d9 <= center_x_d8;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy4_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy5_y;
+            center_y_d2 <= center_y_d1_copy2;
+            center_y_d3 <= center_y_d2;
+            center_y_d4 <= center_y_d3;
+            center_y_d5 <= center_y_d4;
             center_y_d6 <= center_y_d5;
             center_y_d7 <= center_y_d6;
             center_y_d8 <= center_y_d7;
             center_y_d9 <= center_y_d8;
-            first_y_chosen_d1 <= first_y_chosen_copy8;
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            first_y_chosen_d3 <= first_y_chosen_d2;
-            first_y_chosen_d4 <= first_y_chosen_d3;
-            last_y_chosen_d1 <= last_y_chosen_copy2;
-            last_y_chosen_d2 <= last_y_chosen_d1;
-            last_y_chosen_d3 <= last_y_chosen_d2;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy5_y;
-            last_y_lesser_d1 <= min_f24_ftz_unit_y;
-            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
+            center_y_d10 <= center_y_d9;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy7_y;
+            first_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
+            last_y_d4 <= last_y_d3;
             mx_both_d1 <= mx_both;
             mx_chosen_d1 <= mx_chosen[7:0];
             mx_both_d1_copy2 <= mx_both_copy2;
             mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
             largest_sum_d1_copy2 <= largest_sum_copy3;
             largest_sum_d2_copy2 <= largest_sum_d1_copy2;
-            largest_sum_d3_copy2 <= largest_sum_d2_copy2;
-            delta_sum_d1 <= delta_sum;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy6_y[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_copy6_y[23];
+            largest_sum_d3 <= largest_sum_d2_copy2;
             mx_sum_d1_copy3 <= mx_sum_copy3;
             mx_sum_d2 <= mx_sum_d1_copy3;
             mx_sum_d3 <= mx_sum_d2;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            unit_delta_product_bits_d1 <= unit_delta_product_d1[22:15];
-            edge_on_in_order_d1 <= edge_on_in_order;
-            sight_negative_out_d1 <= sight_negative_out;
+            first_difference_sum_d1_copy3 <= first_difference_sum;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+            visible_both_d3 <= visible_both_d2;
+            visible_both_d1_copy2 <= visible_both_copy3;
             placed_d1 <= placed;
-            center_y_out_d12 <= center_y_out_d11;
-            center_y_out_d13 <= center_y_out_d12;
-            center_y_out_d14 <= center_y_out_d13;
-            center_y_out_d15 <= center_y_out_d14;
-            center_x_out_d1 <= {delay_10_from_0_out[25], delay_10_from_0_out};
+            placed_d2 <= placed_d1;
+            center_x_out_d1 <= {center_x_out_d11[25], center_x_out_d11};
             shift_difference_d1_copy2 <= shift_difference_copy2;
             not_shift_difference_d1 <= not_shift_difference_copy2;
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-            exponent_greater_d1_copy4 <= exponent_greater_copy4;
-            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
-            odd_either_d1 <= odd_either_copy3;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            shift_d3 <= shift_d2;
+            exponent_d1 <= exponent;
+            ax_out_lesser_d1 <= ax_out_lesser[15:0];
+            bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
+            vanishes_d1 <= vanishes;
+            sight_near_out_chosen_d1 <= sight_near_out_chosen_copy5;
         end
         if (load_3) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
@@ -6469,38 +6774,54 @@ module splat_setup (
             center_depth_d9 <= center_depth_d8;
             spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
             spread_middle_d2 <= spread_middle_d1;
-            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy4_y;
-            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy5_y;
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            end_or_visible_d1 <= end_or_visible;
-            end_or_visible_d2 <= end_or_visible_d1;
-            end_or_visible_d3 <= end_or_visible_d2;
-            end_or_visible_d4 <= end_or_visible_d3;
-            center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy4_y;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            exponent_both_d1 <= exponent_both;
+            exponent_chosen_d1 <= exponent_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
+            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_both_d1 <= my_both;
+            my_chosen_d1 <= my_chosen[7:0];
+            first_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy7_y;
+            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            last_sum_out_d1 <= last_sum[9:0];
+            last_sum_out_d2 <= last_sum_out_d1;
             shift_chosen_bits_d1 <= shift_chosen[25:0];
-            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
-            shift_plus_4_d1 <= shift_plus_4;
-            zero_is_exponent_chosen_bits_d1 <= zero_is_exponent_chosen_bits;
-            ax_out_both_d1 <= ax_out_both;
-            bx_out_both_d1 <= bx_out_both;
-            bx_out_lesser_d1 <= bx_out_lesser[15:0];
-            zero_is_exponent_chosen_bits_d1_copy2 <= zero_is_exponent_chosen_bits_copy2;
-            ay_out_both_d1 <= ay_out_both;
-            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
-            by_out_both_d1 <= by_out_both;
-            mx_out_both_d1 <= mx_out_both;
-            my_out_both_d1 <= my_out_both;
-            vanishes_in_order_d1 <= vanishes_in_order;
-            vanishes_difference_d1 <= vanishes_difference;
-            covers_nothing_d1 <= covers_nothing;
-            sight_near_out_in_order_d1 <= sight_near_out_in_order;
-            sight_near_out_sum_d1 <= sight_near_out_sum;
-            sight_near_out_difference_d1 <= sight_near_out_difference;
-            sight_far_out_in_order_d1 <= sight_far_out_in_order;
-            sight_far_out_difference_d1 <= sight_far_out_difference;
-            sight_far_out_d1 <= sight_far_out;
+            shift_either_bits_d1 <= shift_either_copy3[25:15];
+            shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
+            shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
+            shift_either_bits_d1_copy4 <= shift_either_copy3[25:18];
+            shift_either_bits_d1_copy5 <= shift_either_copy3[25:19];
+            shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
+            shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
+            shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
+            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
+            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
+            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
+            exponent_greater_d1 <= exponent_greater;
+            by_out_lesser_d1 <= by_out_lesser[15:0];
+            mx_out_shifted_d1 <= {mx_out_sum[17], mx_out_sum[17:1]};
+            sight_near_out_bits_is_255_d1 <= sight_near_out_bits_is_255;
+            not_sight_near_out_bits_is_255_d1 <= not_sight_near_out_bits_is_255;
+            sight_near_out_joined_d1 <= {sight_near_out_chosen_copy2[7:0], sight_near_out_chosen_copy3};
+            sight_far_out_same_d1 <= sight_far_out_same_copy2;
+            not_sight_far_out_same_d1 <= not_sight_far_out_same_copy2;
+            sight_far_out_joined_d1 <= {sight_far_out_chosen_copy2[7:0], sight_far_out_chosen_copy3};
         end
         if (load_4) begin
             first_x_both_d1 <= first_x_both_copy3;
@@ -6527,44 +6848,49 @@ module splat_setup (
             spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
             spread_half_d2 <= spread_half_d1;
             spread_half_d3 <= spread_half_d2;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
             center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
             center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
             center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
             last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
             center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
             center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
             center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
-            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy4_y;
-            largest_d1 <= largest;
-            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
-            center_y_out_d1 <= {center_y_out_d11[25], center_y_out_d11};
-            shift_difference_d1_copy4 <= shift_difference_copy4;
-            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
-            exponent_chosen_d1 <= exponent_chosen_copy11;
-            exponent_chosen_bits_plus_126_d1 <= exponent_chosen_bits_plus_126;
-            ax_out_joined_d1 <= {exponent_chosen_sign_d11, ax_out_chosen[7:0], exponent_chosen_bits_d11};
-            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
-            bx_out_joined_d1 <= {exponent_joined_sign_d11, bx_out_chosen[7:0], exponent_joined_bits_d11_copy2};
-            exponent_chosen_bits_plus_126_d1_copy2 <= exponent_chosen_bits_plus_126_copy2;
-            ay_out_joined_d1 <= {exponent_chosen_sign_d11_copy2, ay_out_chosen[7:0], exponent_chosen_bits_d11_copy2};
-            ay_out_lesser_d1 <= ay_out_lesser[15:0];
-            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
-            by_out_joined_d1 <= {exponent_joined_sign_d11_copy2, by_out_chosen[7:0], exponent_joined_bits_d11_copy3};
-            by_out_shifted_d1 <= {by_out_sum[17], by_out_sum[17:1]};
-            mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11_copy2};
-            my_bits_plus_126_d1 <= my_bits_plus_126;
-            my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11_copy2};
-            vanishes_joined_d1 <= {delta_sign_d10, vanishes_chosen[7:0], delta_bits_d10_copy2};
-            sight_near_out_bits_plus_126_d1 <= sight_near_out_bits_plus_126;
-            sight_near_out_both_d1 <= sight_near_out_both_copy2;
-            sight_near_out_either_d1 <= sight_near_out_either;
-            sight_far_out_sum_d1 <= sight_far_out_sum;
-            sight_far_out_both_d1 <= sight_far_out_both_copy2;
-            sight_far_out_either_d1 <= sight_far_out_either;
+            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
+            exponent_joined_d1 <= {a_x_sign_d3, exponent_chosen_copy2};
+            exponent_joined_d1_copy2 <= {a_y_sign_d3, exponent_chosen_copy4};
+            delta_d1 <= delta;
+            last_sum_sum_d1 <= add_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy5_y;
+            last_difference_sum_d1 <= add_f24_ftz_unit_copy6_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            first_difference_greater_d1 <= first_difference_greater;
+            exponent_joined_d1_copy3 <= {not_exponent_joined_sign, exponent_chosen_copy2};
+            exponent_joined_d1_copy4 <= {not_exponent_joined_sign_copy2, exponent_chosen_copy4};
+            center_x_out_shifted_d1 <= {center_x_out_sum[27], center_x_out_sum[27:1]};
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            delta_bits_d1 <= {2'd0, delta[22:15]};
+            delta_bits_d11 <= delta_bits_d10;
+            exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy6[22:15]};
+            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy8[22:15]};
+            exponent_joined_bits_d11 <= exponent_joined_bits_d10_copy2;
+            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
+            mx_bits_d11 <= mx_bits_d10;
+            my_bits_d1_copy4 <= {2'd0, my[22:15]};
+            my_bits_d11 <= my_bits_d10;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[15:0];
+            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
+            sight_far_out_joined_d1_copy2 <= {abs_sight_far_out_product_sign_d9, sight_far_out_chosen_copy4};
         end
         if (load_5) begin
             first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
@@ -6589,21 +6915,25 @@ module splat_setup (
             beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
             beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
             reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
-            q_times_f_d1 <= mul_f24_ftz_unit_y;
             before_far_sum_d1 <= add_f24_ftz_unit_copy2_y;
             middle_depth_d1 <= middle_depth;
             middle_depth_d2 <= middle_depth_d1;
             middle_depth_d3 <= middle_depth_d2;
             half_depth_d1 <= half_depth;
-            t_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy7_y;
             first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
             last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
             last_x_lesser_d1 <= last_x_lesser;
             a_y_d1 <= mul_f24_ftz_unit_copy5_y;
             b_y_d1 <= mul_f24_ftz_unit_copy6_y;
             t_y_d1 <= mul_f24_ftz_unit_copy7_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy8_y;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
             a_x_bits_d1 <= a_x_bits_d1_bits;
             a_x_bits_d2 <= a_x_bits_d1;
             a_x_bits_d3 <= a_x_bits_d2;
@@ -6622,77 +6952,67 @@ module splat_setup (
             not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
             not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
             not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
             a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
             a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
             a_x_sign_d2 <= a_x_sign_d1;
             a_x_sign_d3 <= a_x_sign_d2;
-            a_x_sign_d4 <= a_x_sign_d3;
             a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
             not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
             not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
             not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
             a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
             a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
             a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
+            a_y_sign_d1 <= mul_f24_ftz_unit_copy5_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            a_y_sign_d3 <= a_y_sign_d2;
             b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
             not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
             not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
             not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
             b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
             b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
             b_x_sign_d2 <= b_x_sign_d1;
             b_x_sign_d3 <= b_x_sign_d2;
-            b_x_sign_d4 <= b_x_sign_d3;
             b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
             not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
             not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
             not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
             b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
             b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
             b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            exponent_both_d1 <= exponent_both;
-            exponent_joined_d1 <= {exponent_chosen[7:0], a_x_bits_d3_copy2};
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            exponent_both_d1_copy2 <= exponent_both_copy2;
-            exponent_joined_d1_copy3 <= {exponent_chosen_copy3[7:0], a_y_bits_d3_copy2};
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            exponent_both_d1_copy3 <= exponent_both_copy3;
-            exponent_joined_d1_copy5 <= {exponent_chosen_copy5[7:0], b_x_bits_d3_copy2};
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            exponent_both_d1_copy4 <= exponent_both_copy4;
-            exponent_joined_d1_copy6 <= {exponent_chosen_copy7[7:0], b_y_bits_d3_copy2};
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
-            my_both_d1 <= my_both;
-            my_chosen_d1 <= my_chosen[7:0];
-            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
-            shift_either_bits_d1 <= shift_either_copy3[25:15];
-            shift_either_bits_d1_copy2 <= shift_either_copy3[25:16];
-            shift_either_bits_d1_copy3 <= shift_either_copy3[25:17];
-            shift_either_bits_d1_copy4 <= shift_either_copy3[25:18];
-            shift_either_bits_d1_copy5 <= shift_either_copy3[25:19];
-            shift_either_bits_d1_copy6 <= shift_either_copy3[25:20];
-            shift_either_bits_d1_copy7 <= shift_either_copy3[25:21];
-            shift_either_bits_d1_copy8 <= shift_either_copy3[25:22];
-            shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
-            shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
-            shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
-            exponent_greater_d1 <= exponent_greater;
-            by_out_lesser_d1 <= by_out_lesser[15:0];
-            mx_out_shifted_d1 <= {mx_out_sum[17], mx_out_sum[17:1]};
-            sight_near_out_bits_is_255_d1 <= sight_near_out_bits_is_255;
-            not_sight_near_out_bits_is_255_d1 <= not_sight_near_out_bits_is_255;
-            sight_near_out_joined_d1 <= {sight_near_out_chosen_copy2[7:0], sight_near_out_chosen_copy3};
-            sight_far_out_same_d1 <= sight_far_out_same_copy2;
-            not_sight_far_out_same_d1 <= not_sight_far_out_same_copy2;
-            sight_far_out_joined_d1 <= {sight_far_out_chosen_copy2[7:0], sight_far_out_chosen_copy3};
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_d1 <= first_difference;
+            center_x_out_lesser_d1 <= center_x_out_lesser[25:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[27], center_y_out_sum[27:1]};
+            shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
+            shift_chosen_d1 <= shift_chosen_copy7;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[15:0];
+            exponent_chosen_bits_is_255_d1 <= exponent_chosen_bits_is_255;
+            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255;
+            exponent_chosen_bits_is_255_d1_copy2 <= exponent_chosen_bits_is_255_copy2;
+            mx_bits_is_255_d1_copy2 <= mx_bits_is_255_copy2;
+            my_bits_is_255_d1_copy2 <= my_bits_is_255_copy2;
         end
         if (load_6) begin
             first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
@@ -6735,7 +7055,11 @@ module splat_setup (
             beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
             beta_joined_d2 <= beta_joined_d1;
             e_d1 <= add_f24_ftz_unit_y;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            sight_disc_out_d12 <= sight_disc_out_d11;
+            sight_disc_out_d13 <= sight_disc_out_d12;
+            sight_disc_out_d14 <= sight_disc_out_d13;
+            sight_disc_out_d15 <= sight_disc_out_d14;
+            sight_disc_out_d16 <= sight_disc_out_d15;
             f_times_scale_x_d1 <= mul_f24_ftz_unit_copy3_y;
             first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy4_y[23], first_x_chosen_copy6};
             first_x_chosen_d1 <= first_x_chosen_copy8;
@@ -6748,78 +7072,69 @@ module splat_setup (
             last_x_d2 <= last_x_d1;
             last_x_d3 <= last_x_d2;
             last_x_d4 <= last_x_d3;
-            last_x_d5 <= last_x_d4;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy5_y;
-            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy6_y;
-            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
-            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy7_y[23], first_y_chosen_copy6};
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy4_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy5_y;
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy6_y[23], first_y_chosen_copy6};
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            first_y_chosen_d4 <= first_y_chosen_d3;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
             last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
-            first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
-            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
             unit_delta_both_d1 <= unit_delta_both;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
             unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
             unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
             unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-            a_y_sign_d1 <= a_y_d1[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            a_y_sign_d3 <= a_y_sign_d2;
             unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
             unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
             unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
             unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            b_y_sign_d1 <= b_y_d1[23];
-            b_y_sign_d2 <= b_y_sign_d1;
-            b_y_sign_d3 <= b_y_sign_d2;
+            unit_delta_product_d1 <= mul_f24_ftz_unit_copy7_y;
             a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
             b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
             mx_sum_d1 <= mx_sum;
             mx_sum_d1_copy2 <= mx_sum_copy2;
             largest_sum_d1 <= largest_sum;
             largest_sum_d2 <= largest_sum_d1;
-            largest_sum_d3 <= largest_sum_d2;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
             largest_greater_d1 <= largest_greater;
-            exponent_joined_d1_copy2 <= {a_x_sign_d4, exponent_chosen_copy2};
-            exponent_joined_d1_copy4 <= {a_y_sign_d3, exponent_chosen_copy4};
-            delta_d1 <= delta;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            delta_sum_d1 <= delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy7_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy7_y[23];
             edge_on_lesser_d1 <= edge_on_lesser;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy8_y;
+            first_sum_chosen_d1 <= first_sum_chosen;
+            first_sum_sum_d1_copy4 <= first_sum_sum;
+            last_difference_lesser_d1 <= last_difference_lesser;
+            first_sum_out_d1 <= first_sum_d1[9:0];
+            first_difference_out_d1 <= first_difference_d1[9:0];
             before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            exponent_joined_d1_copy7 <= {not_exponent_joined_sign, exponent_chosen_copy2};
-            exponent_joined_d1_copy8 <= {not_exponent_joined_sign_copy2, exponent_chosen_copy4};
-            shift_shifted_d1_copy3 <= {18'd0, first_y} << 12;
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
-            delta_bits_d1 <= {2'd0, delta[22:15]};
-            delta_bits_d11 <= delta_bits_d10;
-            exponent_joined_bits_d1 <= {2'd0, exponent_chosen_copy6[22:15]};
-            exponent_joined_bits_d1_copy2 <= {2'd0, exponent_chosen_copy8[22:15]};
-            exponent_joined_bits_d11 <= exponent_joined_bits_d10_copy2;
-            mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
-            mx_bits_d11 <= mx_bits_d10;
-            my_bits_d1_copy4 <= {2'd0, my[22:15]};
-            my_bits_d11 <= my_bits_d10;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[15:0];
-            my_out_shifted_d1 <= {my_out_sum[17], my_out_sum[17:1]};
-            sight_far_out_joined_d1_copy2 <= {abs_sight_far_out_product_sign_d9, sight_far_out_chosen_copy4};
+            sight_negative_out_d1 <= sight_negative_out;
+            center_x_out_d12 <= center_x_out_d11;
+            center_x_out_d13 <= center_x_out_d12;
+            center_x_out_d14 <= center_x_out_d13;
+            center_x_out_d15 <= center_x_out_d14;
+            center_y_out_lesser_d1 <= center_y_out_lesser[25:0];
+            center_y_out_d11 <= delay_10_from_6_out;
+            center_y_out_d12 <= center_y_out_d11;
+            center_y_out_d13 <= center_y_out_d12;
+            center_y_out_d14 <= center_y_out_d13;
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            exponent_greater_d1_copy4 <= exponent_greater_copy4;
+            vanishes_shifted_d1 <= {vanishes_sum[21], vanishes_sum[21:1]};
+            odd_either_d1 <= odd_either_copy3;
         end
         if (load_7) begin
             lowered_greater_d1 <= lowered_greater;
@@ -6840,32 +7155,42 @@ module splat_setup (
             q_d2 <= q_d1;
             q_d3 <= q_d2;
             q_d4 <= q_d3;
+            q_d5 <= q_d4;
             f_d1 <= recip_f24_ftz_unit_y;
             before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
-            center_x_d6 <= delay_5_from_7_out;
-            center_x_d7 <= center_x_d6;
-            center_x_d8 <= center_x_d7;
-            center_x_d9 <= center_x_d8;
+            before_far_in_order_d1 <= le_f24_ftz_unit_y;
+            before_far_in_order_d2 <= before_far_in_order_d1;
             minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
+            last_y_lesser_d1 <= last_y_lesser;
             unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
             unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
             unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
             unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            unit_delta_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            minus_unit_delta_product_d1 <= minus_mul_f24_ftz_unit_copy3_y;
             m_exponent_d1 <= m_exponent;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy7_y;
+            last_sum_chosen_d1 <= last_sum_chosen;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_difference_chosen_d1 <= first_difference_chosen;
+            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
+            first_sum_difference_d1 <= first_sum_difference;
+            visible_in_order_d1 <= visible_in_order;
+            last_difference_out_d1 <= last_difference[9:0];
             delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy4_y;
-            center_x_bits_below_140_d1 <= center_x_bits_below_140;
             shift_shifted_d1_copy2 <= last_x_plus_1 << 12;
-            shift_difference_d1_copy3 <= shift_difference_copy3;
-            shift_chosen_d1 <= shift_chosen_copy7;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[15:0];
-            exponent_chosen_bits_is_255_d1 <= exponent_chosen_bits_is_255;
-            exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255;
-            exponent_chosen_bits_is_255_d1_copy2 <= exponent_chosen_bits_is_255_copy2;
-            mx_bits_is_255_d1_copy2 <= mx_bits_is_255_copy2;
-            my_bits_is_255_d1_copy2 <= my_bits_is_255_copy2;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[25:0];
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[19:0];
+            odd_d1 <= odd;
+            not_placed_d1 <= not_placed;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
             sight_near_out_bits_d9 <= sight_near_out_bits_d8;
             abs_sight_far_out_product_bits_d9 <= abs_sight_far_out_product_bits_d8;
         end
@@ -6878,49 +7203,71 @@ module splat_setup (
             not_turned_d5 <= not_turned_d4;
             not_turned_d6 <= not_turned_d5;
             whole_d1 <= whole;
-            whole_d8 <= delay_6_from_1_out;
+            whole_d8 <= whole_d7;
             whole_d9 <= whole_d8;
+            whole_d10 <= whole_d9;
+            whole_d11 <= whole_d10;
+            whole_d12 <= whole_d11;
+            whole_d13 <= whole_d12;
             first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
             last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
             first_x_shifted_d1 <= first_x_shifted_d1_shifted;
             first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
-            first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
-            last_y_lesser_d1_copy2 <= last_y_lesser;
+            last_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
             beta_bits_is_255_d1 <= beta_bits_is_255;
             mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
             alpha_bits_is_255_d1 <= alpha_bits_is_255;
             mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
-            mx_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            minus_mx_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            mx_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            minus_mx_product_d1 <= minus_mul_f24_ftz_unit_copy3_y;
             my_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy6_y;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy7_y;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
             mx_bits_d1 <= mx_bits_d1_bits;
             mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
             not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
             mx_bits_is_255_d1 <= mx_bits_is_255;
             mx_bits_d1_copy2 <= add_f24_ftz_unit_copy3_y[14:0];
             mx_bits_d1_copy3 <= add_f24_ftz_unit_copy3_y[23];
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            my_bits_d1 <= my_bits_d1_bits;
+            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            end_or_visible_d1 <= end_or_visible;
             shift_shifted_d1 <= {18'd0, first_x} << 12;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 12;
             shift_either_d1 <= shift_either_copy2;
-            shift_chosen_d1_copy3 <= shift_chosen_copy13;
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
-            ax_out_shifted_d1 <= {ax_out_sum[17], ax_out_sum[17:1]};
-            vanishes_lesser_d1 <= vanishes_lesser[19:0];
-            odd_d1 <= odd;
-            not_placed_d1 <= not_placed;
-            not_placed_d2 <= not_placed_d1;
-            not_placed_d3 <= not_placed_d2;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
-            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy4_y;
+            shift_plus_4_d1 <= shift_plus_4;
+            zero_is_exponent_chosen_bits_d1 <= zero_is_exponent_chosen_bits;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_lesser_d1 <= bx_out_lesser[15:0];
+            zero_is_exponent_chosen_bits_d1_copy2 <= zero_is_exponent_chosen_bits_copy2;
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_shifted_d1 <= {ay_out_sum[17], ay_out_sum[17:1]};
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
+            covers_nothing_d1 <= covers_nothing;
+            sight_near_out_in_order_d1 <= sight_near_out_in_order;
+            sight_near_out_sum_d1 <= sight_near_out_sum;
+            sight_near_out_difference_d1 <= sight_near_out_difference;
+            sight_far_out_in_order_d1 <= sight_far_out_in_order;
+            sight_far_out_difference_d1 <= sight_far_out_difference;
+            sight_far_out_d1 <= sight_far_out;
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy6_y;
             depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_low_out_d2 <= depth_low_out_d1;
             depth_low_out_d3 <= depth_low_out_d2;
             depth_low_out_d4 <= depth_low_out_d3;
+            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy7_y;
         end
         if (load_2) begin
             lowered_greater_d1_copy4 <= lowered_greater_copy4;
@@ -6938,17 +7285,16 @@ module splat_setup (
             a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
             v_y_d1 <= mul_f24_ftz_unit_copy6_y;
             a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
+            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy8_y;
             t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
             t_y_sum_d2 <= t_y_sum_d1;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy5_y;
+            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
             last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            last_y_d3 <= last_y_d2;
-            last_y_d4 <= last_y_d3;
-            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d1 <= b_x_bits_d1_bits;
             beta_bits_d2 <= beta_bits_d1;
             beta_bits_d3 <= beta_bits_d2;
-            alpha_bits_d1 <= alpha_bits_d1_bits;
+            alpha_bits_d1 <= a_x_bits_d1_bits;
             alpha_bits_d2 <= alpha_bits_d1;
             alpha_bits_d3 <= alpha_bits_d2;
             not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
@@ -6957,34 +7303,49 @@ module splat_setup (
             not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
             not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
             not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            my_bits_d1 <= my_bits_d1_bits;
-            mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy5_y[14:0];
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy5_y[23];
-            visible_both_d1 <= visible_both;
+            largest_d1 <= largest;
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_copy7_y;
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
+            last_difference_chosen_d1 <= last_difference_chosen;
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+            first_sum_d1 <= first_sum;
+            last_sum_lesser_d1 <= last_sum_lesser;
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
             shift_difference_d1 <= shift_difference;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-            shift_d3 <= shift_d2;
-            exponent_d1 <= exponent;
-            ax_out_lesser_d1 <= ax_out_lesser[15:0];
-            bx_out_shifted_d1 <= {bx_out_sum[17], bx_out_sum[17:1]};
-            vanishes_d1 <= vanishes;
-            sight_near_out_chosen_d1 <= sight_near_out_chosen_copy5;
+            center_y_out_d1 <= {delay_10_from_6_out[25], delay_10_from_6_out};
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+            exponent_chosen_d1_copy5 <= exponent_chosen_copy11;
+            exponent_chosen_bits_plus_126_d1 <= exponent_chosen_bits_plus_126;
+            ax_out_joined_d1 <= {exponent_chosen_sign_d11, ax_out_chosen[7:0], exponent_chosen_bits_d11};
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+            bx_out_joined_d1 <= {exponent_joined_sign_d11, bx_out_chosen[7:0], exponent_joined_bits_d11_copy2};
+            exponent_chosen_bits_plus_126_d1_copy2 <= exponent_chosen_bits_plus_126_copy2;
+            ay_out_joined_d1 <= {exponent_chosen_sign_d11_copy2, ay_out_chosen[7:0], exponent_chosen_bits_d11_copy2};
+            ay_out_lesser_d1 <= ay_out_lesser[15:0];
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            by_out_joined_d1 <= {exponent_joined_sign_d11_copy2, by_out_chosen[7:0], exponent_joined_bits_d11_copy3};
+            by_out_shifted_d1 <= {by_out_sum[17], by_out_sum[17:1]};
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d11, mx_out_chosen[7:0], mx_bits_d11_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d11, my_out_chosen[7:0], my_bits_d11_copy2};
+            vanishes_joined_d1 <= {delta_sign_d10, vanishes_chosen[7:0], delta_bits_d10_copy2};
+            sight_near_out_bits_plus_126_d1 <= sight_near_out_bits_plus_126;
+            sight_near_out_both_d1 <= sight_near_out_both_copy2;
+            sight_near_out_either_d1 <= sight_near_out_either;
+            sight_far_out_sum_d1 <= sight_far_out_sum;
+            sight_far_out_both_d1 <= sight_far_out_both_copy2;
+            sight_far_out_either_d1 <= sight_far_out_either;
             depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
             depth_high_out_d2 <= depth_high_out_d1;
             depth_high_out_d3 <= depth_high_out_d2;
             depth_high_out_d4 <= depth_high_out_d3;
         end
         if (queue_in_ready) begin
-            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? 24'd0 : max_f24_ftz_unit_a_choice_2;
-            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : phase[1] ? first_x_chosen_d1_copy3 : max_f24_ftz_unit_b_choice_3;
-            max_f24_ftz_unit_copy2_a <= phase[2] ? 24'd0 : max_f24_ftz_unit_copy2_a_choice;
+            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_5;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
+            max_f24_ftz_unit_copy2_a <= phase[2] ? max_f24_ftz_unit_copy2_a_choice : max_f24_ftz_unit_copy2_a_choice_2;
             max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_3;
             lt_f24_ftz_unit_a <= phase[2] ? lt_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? center_z_d1 : near_plane) : near_plane;
             lt_f24_ftz_unit_b <= phase[2] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
@@ -6997,69 +7358,75 @@ module splat_setup (
             add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
             add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_3;
             add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_3;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice_2 : add_f24_ftz_unit_copy5_a_choice_3;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_b_choice : h_y_product_d1) : add_f24_ftz_unit_copy5_b_choice_2;
-            add_f24_ftz_unit_copy6_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_a_choice : middle_depth_d3) : add_f24_ftz_unit_copy6_a_choice;
-            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_3;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_5;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_3;
+            add_f24_ftz_unit_copy6_a <= phase[2] ? add_f24_ftz_unit_copy6_a_choice : add_f24_ftz_unit_copy6_a_choice_2;
+            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice_3 : add_f24_ftz_unit_copy6_b_choice_5;
+            add_f24_ftz_unit_copy7_a <= phase[2] ? add_f24_ftz_unit_copy7_a_choice : add_f24_ftz_unit_copy7_a_choice_2;
+            add_f24_ftz_unit_copy7_b <= phase[2] ? add_f24_ftz_unit_copy7_b_choice_2 : add_f24_ftz_unit_copy7_b_choice_4;
             recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
             mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
             mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
             mul_f24_ftz_unit_copy2_a <= phase[2] ? mul_f24_ftz_unit_copy2_a_choice : mul_f24_ftz_unit_copy2_a_choice_2;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_3;
             mul_f24_ftz_unit_copy3_a <= phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_3;
             mul_f24_ftz_unit_copy4_a <= phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
             mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
             mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_3;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice_2 : mul_f24_ftz_unit_copy5_b_choice_3;
             mul_f24_ftz_unit_copy6_a <= phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_2;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_2;
-            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : phase[1] ? mul_f24_ftz_unit_copy2_y : f_times_scale_y_d1;
-            mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : phase[1] ? mul_f24_ftz_unit_copy6_y : first_y_chosen_d9;
-            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : add_f24_ftz_unit_copy3_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? depth_b : phase[0] ? depth_b : add_f24_ftz_unit_y) : phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : 24'd0;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice_2 : mul_f24_ftz_unit_copy6_b_choice_3;
+            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : mul_f24_ftz_unit_copy7_a_choice_2;
+            mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : mul_f24_ftz_unit_copy7_b_choice_2;
+            mul_f24_ftz_unit_copy8_a <= phase[2] ? mul_f24_ftz_unit_copy8_a_choice : phase[1] ? 24'h3f8008 : f_d1;
+            mul_f24_ftz_unit_copy8_b <= phase[2] ? mul_f24_ftz_unit_copy8_b_choice : phase[1] ? add_f24_ftz_unit_copy6_y : first_sum_sum_d2;
+            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : sqrt_f24_ftz_unit_a_choice_2;
+            le_f24_ftz_unit_a <= phase[2] ? le_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : 24'd0;
             le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : le_f24_ftz_unit_b_choice_2;
             min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
-            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : phase[1] ? min_f24_ftz_unit_b_choice_2 : last_x_chosen_d1_copy3;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : phase[1] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s27q13_unit_a <= phase[2] ? to_fixed_f24_ftz_s27q13_unit_a_choice : add_f24_ftz_unit_copy3_y;
+            min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
+            min_f24_ftz_unit_copy2_a <= 24'h470000;
+            min_f24_ftz_unit_copy2_b <= phase[2] ? last_difference_chosen_d1 : min_f24_ftz_unit_copy2_b_choice_2;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : to_fixed_f24_ftz_u21q8_unit_a_choice_2;
+            to_fixed_f24_ftz_u23q8_unit_a <= phase[2] ? min_f24_ftz_unit_copy2_y : min_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
+            to_fixed_f24_ftz_s27q13_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
             to_fixed_f24_ftz_s17q16_unit_a <= phase[2] ? to_fixed_f24_ftz_s17q16_unit_a_choice : to_fixed_f24_ftz_s17q16_unit_a_choice_2;
             to_fixed_f24_ftz_u20q19_unit_a <= phase[2] ? to_fixed_f24_ftz_u20q19_unit_a_choice_2 : {sight_near_out_bits_d9_copy3, sight_near_out_chosen_copy4};
             to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {delay_10_from_0_out, add_f24_ftz_unit_copy3_y};
-        end
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= add_f24_ftz_unit_copy2_y;
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_7_from_0[delay_7_from_0_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
+        if (load_0) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_8_from_0[delay_8_from_0_pointer] <= all_before_far;
+        if (load_0) delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
         if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_10_from_0[delay_10_from_0_pointer] <= center_x_out;
-        if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-    end
-    always @(posedge clk) begin
         if (load_0) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {center_y_out, last_x_chosen, first_x_chosen_copy7};
+            delay_11_from_0[delay_11_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7};
         end
         if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_12_from_0[delay_12_from_0_pointer] <= sight_negative_out_d1;
-        if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) delay_19_from_0[delay_19_from_0_pointer] <= in_end;
-        if (load_0) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= first_sum_both;
+        if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_22_from_0[delay_22_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+            delay_22_from_0[delay_22_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
         end
         if (load_0) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
@@ -7068,7 +7435,9 @@ module splat_setup (
         if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= whole_d1;
+        if (load_1) begin
+            delay_6_from_1[delay_6_from_1_pointer] <= {add_f24_ftz_unit_copy5_y, whole_d1};
+        end
         if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
@@ -7078,8 +7447,12 @@ module splat_setup (
         if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= edge_on_or_visible_unequal;
-        if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+        if (load_1) delay_11_from_1[delay_11_from_1_pointer] <= odd_or_edge_on_or_not_placed;
+        if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_2) delay_10_from_2[delay_10_from_2_pointer] <= {delta_d1[14:0], delta_d1[23]};
+        if (load_2) delay_10_from_2_out <= delay_10_from_2[delay_10_from_2_pointer];
     end
     always @(posedge clk) begin
         if (load_2) begin
@@ -7088,31 +7461,45 @@ module splat_setup (
         if (load_2) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_17_from_2[delay_17_from_2_pointer] <= reaches_near;
-        if (load_2) delay_17_from_2_out <= delay_17_from_2[delay_17_from_2_pointer];
+        if (load_2) delay_19_from_2[delay_19_from_2_pointer] <= reaches_near;
+        if (load_2) delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
     end
     always @(posedge clk) begin
         if (load_3) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
         if (load_3) delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
     end
     always @(posedge clk) begin
-        if (load_3) delay_11_from_3[delay_11_from_3_pointer] <= odd_or_edge_on_or_not_placed;
-        if (load_3) delay_11_from_3_out <= delay_11_from_3[delay_11_from_3_pointer];
-    end
-    always @(posedge clk) begin
         if (load_4) delay_5_from_4[delay_5_from_4_pointer] <= lowered_d1;
         if (load_4) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_7_from_4[delay_7_from_4_pointer] <= delay_7_from_4_data_bits;
+        if (load_4) begin
+            delay_7_from_4[delay_7_from_4_pointer] <= {add_f24_ftz_unit_copy3_y, 1'd0, mul_f24_ftz_unit_y[22:0]};
+        end
         if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_10_from_4[delay_10_from_4_pointer] <= {delta_d1[14:0], delta_d1[23]};
-        if (load_4) delay_10_from_4_out <= delay_10_from_4[delay_10_from_4_pointer];
+        if (load_4) begin
+            delay_9_from_4[delay_9_from_4_pointer] <= {
+                my_bits_d1_copy4, mx_bits_d1_copy4, exponent_joined_bits_d1_copy2, exponent_joined_bits_d1,
+                delta_bits_d1
+            };
+        end
+        if (load_4) delay_9_from_4_out <= delay_9_from_4[delay_9_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= reaches_near_sum_d1_copy2;
+        if (load_4) begin
+            delay_11_from_4[delay_11_from_4_pointer] <= {
+                my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d3,
+                exponent_chosen_copy6[14:0], b_x_sign_d3
+            };
+        end
+        if (load_4) delay_11_from_4_out <= delay_11_from_4[delay_11_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) begin
+            delay_5_from_5[delay_5_from_5_pointer] <= {first_y, reaches_near_sum_d1_copy2};
+        end
         if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
@@ -7120,48 +7507,58 @@ module splat_setup (
         if (load_5) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            delay_8_from_5[delay_8_from_5_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, beyond_near};
-        end
+        if (load_5) delay_8_from_5[delay_8_from_5_pointer] <= beyond_near;
         if (load_5) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_5_from_6[delay_5_from_6_pointer] <= first_y;
-        if (load_6) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
+        if (load_5) begin
+            delay_10_from_5[delay_10_from_5_pointer] <= {2'd0, exponent_chosen_copy10[22:15], 2'd0, exponent_chosen_copy9[22:15]};
+        end
+        if (load_5) delay_10_from_5_out <= delay_10_from_5[delay_10_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_6_from_6[delay_6_from_6_pointer] <= sight_disc_out_d11;
-        if (load_6) delay_6_from_6_out <= delay_6_from_6[delay_6_from_6_pointer];
+        if (load_5) begin
+            delay_11_from_5[delay_11_from_5_pointer] <= {
+                not_zero_is_delta_bits, not_zero_is_my_bits_copy2, not_zero_is_mx_bits_copy2, by_out_inverted,
+                exponent_chosen_copy10[14:0], exponent_chosen_copy10[23], bx_out_inverted,
+                exponent_chosen_copy9[14:0], exponent_chosen_copy9[23]
+            };
+        end
+        if (load_5) delay_11_from_5_out <= delay_11_from_5[delay_11_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) begin
+            delay_14_from_5[delay_14_from_5_pointer] <= {first_difference_difference, first_sum_sum_copy2};
+        end
+        if (load_5) delay_14_from_5_out <= delay_14_from_5[delay_14_from_5_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_9_from_6[delay_9_from_6_pointer] <= {
-                my_bits_d1_copy4, mx_bits_d1_copy4, exponent_joined_bits_d1_copy2, exponent_joined_bits_d1,
-                delta_bits_d1, visible_unequal_copy2, turned_and_lowered_chosen_sign, turned_d1
-            };
+            delay_8_from_6[delay_8_from_6_pointer] <= {turned_and_lowered_chosen_sign, turned_d1};
         end
+        if (load_6) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_9_from_6[delay_9_from_6_pointer] <= visible_unequal_copy2;
         if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_11_from_6[delay_11_from_6_pointer] <= {
-                my[14:0], my[23], mx[14:0], mx[23], exponent_chosen_copy8[14:0], b_y_sign_d3,
-                exponent_chosen_copy6[14:0], b_x_sign_d4, sight_disc_out
-            };
-        end
+        if (load_6) delay_10_from_6[delay_10_from_6_pointer] <= center_y_out;
+        if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_11_from_6[delay_11_from_6_pointer] <= {center_x_out, sight_disc_out};
         if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= {before_far, turned_d10};
+        if (load_6) begin
+            delay_12_from_6[delay_12_from_6_pointer] <= {sight_negative_out_d1, before_far, turned_d9};
+        end
         if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) delay_5_from_7[delay_5_from_7_pointer] <= add_f24_ftz_unit_copy4_y;
-        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
-    end
-    always @(posedge clk) begin
         if (load_7) begin
-            delay_8_from_7[delay_8_from_7_pointer] <= {3'd0, mul_f24_ftz_unit_copy6_y[22:15], 3'd0, mul_f24_ftz_unit_copy5_y[22:15], all_before_far};
+            delay_8_from_7[delay_8_from_7_pointer] <= {3'd0, mul_f24_ftz_unit_copy6_y[22:15], 3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
         end
         if (load_7) delay_8_from_7_out <= delay_8_from_7[delay_8_from_7_pointer];
     end
@@ -7175,20 +7572,8 @@ module splat_setup (
         if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) begin
-            delay_10_from_7[delay_10_from_7_pointer] <= {2'd0, exponent_chosen_copy10[22:15], 2'd0, exponent_chosen_copy9[22:15]};
-        end
-        if (load_7) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_7) begin
-            delay_11_from_7[delay_11_from_7_pointer] <= {
-                not_zero_is_delta_bits, not_zero_is_my_bits_copy2, not_zero_is_mx_bits_copy2, by_out_inverted,
-                exponent_chosen_copy10[14:0], exponent_chosen_copy10[23], bx_out_inverted,
-                exponent_chosen_copy9[14:0], exponent_chosen_copy9[23]
-            };
-        end
-        if (load_7) delay_11_from_7_out <= delay_11_from_7[delay_11_from_7_pointer];
+        if (load_7) delay_13_from_7[delay_13_from_7_pointer] <= edge_on_or_visible_unequal;
+        if (load_7) delay_13_from_7_out <= delay_13_from_7[delay_13_from_7_pointer];
     end
 
     wire _unused = &{
@@ -7198,29 +7583,31 @@ module splat_setup (
         bx_out_sum[0], by_out_chosen[9:8], by_out_lesser[17:16], by_out_sum[0], center_x_out_lesser[27:26],
         center_x_out_sum[0], center_y_out_lesser[27:26], center_y_out_sum[0], delta_chosen[10:8],
         exponent_chosen[10:8], exponent_chosen_copy3[10:8], exponent_chosen_copy5[10:8],
-        exponent_chosen_copy7[10:8], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
-        last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8],
-        mx_chosen_copy5[10:8], mx_out_chosen[9:8], mx_out_lesser[17:16], mx_out_sum[0], my_chosen[10:8],
-        my_out_chosen[9:8], my_out_lesser[17:16], my_out_sum[0], reaches_near_chosen_copy2[10:8],
-        shift_chosen[26], shift_chosen_copy2[26], shift_chosen_copy3[26], shift_chosen_copy4[26],
-        shift_either_copy3[14:0], sight_far_out_chosen_copy2[10:8], sight_near_out_chosen_copy2[10:8],
-        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
-        unit_delta_chosen_copy7[10:8], vanishes_chosen[9:8], vanishes_lesser[21:20], vanishes_sum[0]
+        exponent_chosen_copy7[10:8], first_difference_sum_copy2[7:0], first_sum_sum_copy3[7:0],
+        first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8], last_difference_sum_copy3[7:0],
+        last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
+        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], mx_out_chosen[9:8], mx_out_lesser[17:16], mx_out_sum[0],
+        my_chosen[10:8], my_out_chosen[9:8], my_out_lesser[17:16], my_out_sum[0],
+        reaches_near_chosen_copy2[10:8], shift_chosen[26], shift_chosen_copy2[26], shift_chosen_copy3[26],
+        shift_chosen_copy4[26], shift_either_copy3[14:0], sight_far_out_chosen_copy2[10:8],
+        sight_near_out_chosen_copy2[10:8], unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8],
+        unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8], vanishes_chosen[9:8],
+        vanishes_lesser[21:20], vanishes_sum[0]
     };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
+        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
         load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
         load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
         load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
         load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
         load_5_in_phase: assert (load_5 == (queue_in_ready & (phase == 3'd5)));
-        load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
+        load_6_in_phase: assert (load_6 == (queue_in_ready & phase_is_6));
         load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
+        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
             $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
         if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
@@ -7238,7 +7625,7 @@ module splat_setup (
         if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
             $display("assertion failed: load_5_in_phase in %m"); $stop;
         end
-        if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+        if (!(load_6 == (queue_in_ready & phase_is_6))) begin
             $display("assertion failed: load_6_in_phase in %m"); $stop;
         end
         if (!(load_7 == (queue_in_ready & phase_is_7))) begin
@@ -7456,6 +7843,91 @@ module float_to_fixed_s3_f24ftz_w27_f13_signed (
             saturates_s1 <= (~vanishes_s1_either & (11'd27 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2) ? 27'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 22
+// fraction = 8
+// integer = signed
+module float_to_fixed_s3_f24ftz_w22_f8_signed (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [21:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [21:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd22 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [21:0] y_choice = saturates_s2 ? (sign_s2 ? 22'h200000 : 22'h1fffff) : sign_s2 ? (~magnitude_s2 + 22'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({6'd0, significand_s1} << 6) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 22'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 23
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_s3_f24ftz_w23_f8_unsigned (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [22:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [22:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd23 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({7'd0, significand_s1} << 7) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd24 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 23'd0 : saturates_s2 ? 23'h7fffff : magnitude_s2;
         end
     end
 
@@ -8128,14 +8600,14 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 360
-module stream_skid_w360 (
+// width = 400
+module stream_skid_w400 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [359:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [359:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [399:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [399:0] out_data
 );
     reg second_valid;
-    reg [359:0] head, second;
+    reg [399:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

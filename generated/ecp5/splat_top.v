@@ -124,6 +124,7 @@ module splat_top (
     wire [15:0] setup_out_attribute_8, setup_out_attribute_9, setup_out_attribute_10, setup_out_attribute_11;
     wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [23:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
     wire [23:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
@@ -137,6 +138,8 @@ module splat_top (
     wire [15:0] splitter_out_attribute_9, splitter_out_attribute_10, splitter_out_attribute_11;
     wire [15:0] splitter_out_attribute_12, splitter_out_cardinal_0;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
+    wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
+    wire [3:0] splitter_out_last_difference;
     wire [11:0] splitter_out_tile;
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [23:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
@@ -150,6 +153,8 @@ module splat_top (
     wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
     wire [15:0] reorder_out_attribute_12, reorder_out_cardinal_0;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
     wire [11:0] reorder_out_tile;
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [23:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
@@ -164,6 +169,8 @@ module splat_top (
     wire [15:0] tile_cache_out_attribute_9, tile_cache_out_attribute_10, tile_cache_out_attribute_11;
     wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
     wire [11:0] tile_cache_out_tile;
     wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
@@ -285,7 +292,9 @@ module splat_top (
         .out_attribute_9(setup_out_attribute_9), .out_attribute_10(setup_out_attribute_10),
         .out_attribute_11(setup_out_attribute_11), .out_attribute_12(setup_out_attribute_12),
         .out_cardinal_0(setup_out_cardinal_0), .out_left(setup_out_left), .out_right(setup_out_right),
-        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum),
+        .out_last_sum(setup_out_last_sum), .out_first_difference(setup_out_first_difference),
+        .out_last_difference(setup_out_last_difference)
     );
 
     splat_splitter splitter (
@@ -304,7 +313,9 @@ module splat_top (
         .in_attribute_9(setup_out_attribute_9), .in_attribute_10(setup_out_attribute_10),
         .in_attribute_11(setup_out_attribute_11), .in_attribute_12(setup_out_attribute_12),
         .in_cardinal_0(setup_out_cardinal_0), .in_left(setup_out_left), .in_right(setup_out_right),
-        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
+        .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
+        .in_last_difference(setup_out_last_difference),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
@@ -321,7 +332,9 @@ module splat_top (
         .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
         .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
         .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
+        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
+        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
+        .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -341,7 +354,9 @@ module splat_top (
         .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
         .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+        .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
+        .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
@@ -358,7 +373,9 @@ module splat_top (
         .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
         .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
         .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -378,7 +395,9 @@ module splat_top (
         .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
         .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -396,7 +415,10 @@ module splat_top (
         .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
         .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
         .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
+        .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -471,7 +493,10 @@ module splat_top (
         .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
         .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
         .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
+        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
+        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -2667,6 +2692,10 @@ module splat_rasterizer (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
@@ -2700,7 +2729,11 @@ module splat_rasterizer (
 );
     reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
-    reg [2:0] column, row, left, right, bottom;
+    reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
+    reg [3:0] first_sum;  // Smallest sum.
+    reg [3:0] last_sum;  // Largest sum.
+    reg [3:0] first_difference;  // Smallest difference.
+    reg [3:0] last_difference;  // Largest difference.
     reg [23:0] center_x;  // Projected center (px), the origin of what follows.
     reg [23:0] center_y;  // Projected center (px), the origin of what follows.
     reg [23:0] ax;  // `A` in x.
@@ -2721,11 +2754,43 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire column_is_right = column == right;
-    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
-    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
-    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
+    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] idle_bits = {1'd0, ~in_top};
+    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
+    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
+    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
+    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
+    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
+    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
+    wire idle_either = in_end | ({in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]});
+    wire row_done = column == row_end;
+    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
+    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
+    wire idle_same = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
+    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] in_top_plus_1 = in_top + 3'd1;
+    wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
+    wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
+    wire [3:0] next_begin_bits_2 = {1'd0, ~in_top_plus_1};
+    wire [3:0] next_begin_choice_2 = (in_first_difference < next_begin_bits_2) ? 4'd0 : (in_first_difference - next_begin_bits_2);
+    wire [3:0] next_begin_choice_3 = (next_begin_choice < next_begin_choice_2) ? next_begin_choice_2 : next_begin_choice;
+    wire [3:0] next_begin_choice_4 = (next_begin_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : next_begin_choice_3;
+    wire [2:0] row_plus_2 = row + 3'd2;
+    wire [3:0] next_begin_bits_3 = {1'd0, row_plus_2};
+    wire [3:0] next_begin_choice_5 = (first_sum < next_begin_bits_3) ? 4'd0 : (first_sum - next_begin_bits_3);
+    wire [3:0] next_begin_bits_4 = {1'd0, ~row_plus_2};
+    wire [3:0] next_begin_choice_6 = (first_difference < next_begin_bits_4) ? 4'd0 : (first_difference - next_begin_bits_4);
+    wire [3:0] next_begin_choice_7 = (next_begin_choice_5 < next_begin_choice_6) ? next_begin_choice_6 : next_begin_choice_5;
+    wire [3:0] next_begin_choice_8 = (next_begin_choice_7 < {1'd0, left}) ? {1'd0, left} : next_begin_choice_7;
+    wire [3:0] next_end_choice = (in_last_sum < next_begin_bits) ? 4'd0 : (in_last_sum - next_begin_bits);
+    wire [3:0] next_end_choice_2 = (in_last_difference < next_begin_bits_2) ? 4'd0 : (in_last_difference - next_begin_bits_2);
+    wire [3:0] next_end_choice_3 = (next_end_choice < next_end_choice_2) ? next_end_choice : next_end_choice_2;
+    wire [3:0] next_end_choice_4 = (next_end_choice_3 < {1'd0, in_right}) ? next_end_choice_3 : {1'd0, in_right};
+    wire [3:0] next_end_choice_5 = (last_sum < next_begin_bits_3) ? 4'd0 : (last_sum - next_begin_bits_3);
+    wire [3:0] next_end_choice_6 = (last_difference < next_begin_bits_4) ? 4'd0 : (last_difference - next_begin_bits_4);
+    wire [3:0] next_end_choice_7 = (next_end_choice_5 < next_end_choice_6) ? next_end_choice_5 : next_end_choice_6;
+    wire [3:0] next_end_choice_8 = (next_end_choice_7 < {1'd0, right}) ? next_end_choice_7 : {1'd0, right};
 
     assign in_ready = take;
     assign {
@@ -2779,9 +2844,13 @@ module splat_rasterizer (
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
+            bottom <= in_bottom;
             left <= in_left;
             right <= in_right;
-            bottom <= in_bottom;
+            first_sum <= in_first_sum;
+            last_sum <= in_last_sum;
+            first_difference <= in_first_difference;
+            last_difference <= in_last_difference;
             center_x <= in_center_x;
             center_y <= in_center_y;
             ax <= in_ax;
@@ -2799,12 +2868,20 @@ module splat_rasterizer (
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
-            column <= load ? in_left : idle_choice;
-            row <= load ? in_top : idle_choice_2;
+            column <= load ? idle_choice_4[2:0] : idle_choice_10;
+            row <= load ? in_top : idle_choice_9;
+        end
+        if (row_end_enable_both) begin
+            row_end <= load ? idle_choice_8[2:0] : next_end;
+            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
-    wire _unused = &{1'b0, shared_out_valid};
+    wire _unused = &{
+        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
+        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+    };
 endmodule
 
 // Queue in a memory with a registered output.
@@ -3967,6 +4044,10 @@ module splat_tile_cache (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
@@ -4005,6 +4086,10 @@ module splat_tile_cache (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
@@ -4150,6 +4235,10 @@ module splat_tile_cache (
     reg [2:0] head_right;  // Last column.
     reg [2:0] head_top;  // First row.
     reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
@@ -4176,9 +4265,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [585:0] in_queue_out_data;
+    wire [601:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [586:0] out_queue_out_data;
+    wire [602:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -4210,42 +4299,46 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[585];
-    wire [23:0] in_queue_out_center_x = in_queue_out_data[584:561];
-    wire [23:0] in_queue_out_center_y = in_queue_out_data[560:537];
-    wire [23:0] in_queue_out_ax = in_queue_out_data[536:513];
-    wire [23:0] in_queue_out_bx = in_queue_out_data[512:489];
-    wire [23:0] in_queue_out_ay = in_queue_out_data[488:465];
-    wire [23:0] in_queue_out_by = in_queue_out_data[464:441];
-    wire [23:0] in_queue_out_delta = in_queue_out_data[440:417];
-    wire [23:0] in_queue_out_mx = in_queue_out_data[416:393];
-    wire [23:0] in_queue_out_my = in_queue_out_data[392:369];
-    wire in_queue_out_sight_negative = in_queue_out_data[368];
-    wire [22:0] in_queue_out_sight_near = in_queue_out_data[367:345];
-    wire [22:0] in_queue_out_sight_far = in_queue_out_data[344:322];
-    wire in_queue_out_sight_turned = in_queue_out_data[321];
-    wire in_queue_out_sight_disc = in_queue_out_data[320];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[319:296];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[295:272];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[271:248];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[247:232];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[231:216];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[215:200];
-    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[199:184];
-    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[183:168];
-    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[167:152];
-    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[151:136];
-    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[135:120];
-    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[119:104];
-    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[103:88];
-    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[87:72];
-    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[71:56];
-    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[55:40];
-    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[39:24];
-    wire [2:0] in_queue_out_left = in_queue_out_data[23:21];
-    wire [2:0] in_queue_out_right = in_queue_out_data[20:18];
-    wire [2:0] in_queue_out_top = in_queue_out_data[17:15];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
+    wire in_queue_out_end = in_queue_out_data[601];
+    wire [23:0] in_queue_out_center_x = in_queue_out_data[600:577];
+    wire [23:0] in_queue_out_center_y = in_queue_out_data[576:553];
+    wire [23:0] in_queue_out_ax = in_queue_out_data[552:529];
+    wire [23:0] in_queue_out_bx = in_queue_out_data[528:505];
+    wire [23:0] in_queue_out_ay = in_queue_out_data[504:481];
+    wire [23:0] in_queue_out_by = in_queue_out_data[480:457];
+    wire [23:0] in_queue_out_delta = in_queue_out_data[456:433];
+    wire [23:0] in_queue_out_mx = in_queue_out_data[432:409];
+    wire [23:0] in_queue_out_my = in_queue_out_data[408:385];
+    wire in_queue_out_sight_negative = in_queue_out_data[384];
+    wire [22:0] in_queue_out_sight_near = in_queue_out_data[383:361];
+    wire [22:0] in_queue_out_sight_far = in_queue_out_data[360:338];
+    wire in_queue_out_sight_turned = in_queue_out_data[337];
+    wire in_queue_out_sight_disc = in_queue_out_data[336];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[335:312];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[311:288];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[287:264];
+    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[263:248];
+    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[247:232];
+    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[231:216];
+    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[215:200];
+    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[199:184];
+    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[183:168];
+    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[167:152];
+    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[151:136];
+    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[135:120];
+    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[119:104];
+    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[103:88];
+    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[87:72];
+    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[71:56];
+    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[55:40];
+    wire [2:0] in_queue_out_left = in_queue_out_data[39:37];
+    wire [2:0] in_queue_out_right = in_queue_out_data[36:34];
+    wire [2:0] in_queue_out_top = in_queue_out_data[33:31];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[30:28];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[27:24];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[23:20];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[19:16];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[15:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
     wire finish_inverted = ~(looking | looked | moving);
@@ -4281,7 +4374,8 @@ module splat_tile_cache (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile, out_slot
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile,
+        out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -4308,7 +4402,7 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w586 in_queue (
+    stream_half_buffer_w602 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
@@ -4316,12 +4410,12 @@ module splat_tile_cache (
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_tile
+            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w587 out_queue (
+    stream_half_buffer_w603 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
@@ -4329,7 +4423,8 @@ module splat_tile_cache (
             head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
             head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
             head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
-            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
+            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4450,6 +4545,10 @@ module splat_tile_cache (
             head_right <= in_queue_out_right;
             head_top <= in_queue_out_top;
             head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
             head_tile <= in_queue_out_tile;
         end
         if (start_or_mode_is_4) begin
@@ -4600,14 +4699,14 @@ module stream_skid_w338 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 587
-module stream_half_buffer_w587 (
+// width = 603
+module stream_half_buffer_w603 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [586:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [586:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [602:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [602:0] out_data
 );
     reg full;
-    reg [586:0] item;
+    reg [602:0] item;
 
     assign in_ready = ~full;
 
@@ -4662,6 +4761,10 @@ module splat_reorder (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
@@ -4700,6 +4803,10 @@ module splat_reorder (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
     reg free_valid;
@@ -4707,21 +4814,21 @@ module splat_reorder (
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [572:0] stage_payload;
+    wire [588:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [585:0] in_queue_out_data;
+    wire [601:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [585:0] out_queue_out_data;
+    wire [601:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [585:0] caught_out_data;
+    wire [601:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile, heap_out_pointer;
     wire heap_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[585];
+    wire in_queue_out_end = in_queue_out_data[601];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -4739,15 +4846,15 @@ module splat_reorder (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(573), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[584:12]),
+    memory_1w1r_unordered #(.WIDTH(589), .DEPTH(4096), .SLICE(4)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[600:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w586 in_queue (
+    stream_half_buffer_w602 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
@@ -4755,18 +4862,18 @@ module splat_reorder (
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_tile
+            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w586 out_queue (
+    stream_half_buffer_w602 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w586 caught (
+    stream_half_buffer_w602 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -6253,7 +6360,7 @@ module stream_skid_w24 (
 `endif
 endmodule
 
-// Splits a splat's rectangle into one copy per tile.
+// Splits a splat's octagon into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
@@ -6293,6 +6400,10 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
+    input  wire [9:0] in_first_sum,  // Smallest sum.
+    input  wire [9:0] in_last_sum,  // Largest sum.
+    input  wire [9:0] in_first_difference,  // Smallest difference.
+    input  wire [9:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [23:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -6330,9 +6441,13 @@ module splat_splitter (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last;
+    reg busy, located, idle, last;
     reg splat_end;  // Closes the frame.
     reg [23:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [23:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -6369,18 +6484,59 @@ module splat_splitter (
     reg [8:0] splat_right;  // Last column.
     reg [8:0] splat_top;  // First row.
     reg [8:0] splat_bottom;  // Last row.
+    reg [9:0] splat_first_sum;  // Smallest sum.
+    reg [9:0] splat_last_sum;  // Largest sum.
+    reg [9:0] splat_first_difference;  // Smallest difference.
+    reg [9:0] splat_last_difference;  // Largest difference.
     reg [5:0] column, row;
+    reg [3:0] first_sum, past_sum, first_difference, past_difference;
 
     wire out_queue_in_ready;
-    wire [585:0] out_queue_out_data;
+    wire [601:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
+    wire step = out_queue_in_ready & (busy & located);
+    wire [3:0] occupied_bits = {1'd0, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0};
     wire right_most = column == splat_right[8:3];
+    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
+    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
+    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
+    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
+    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0;
+    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
+    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
+    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
+    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
+    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
+    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
+    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
+    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
+    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
+    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
-    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
-    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
-    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
+    wire locate = busy & ~located;
+    wire moves = take | step;
+    wire last_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] row_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] column_choice = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire last_same = {row_choice, column_choice} == {splat_bottom[8:3], splat_right[8:3]};
+    wire [11:0] first_sum_bits = {3'd0, column, 3'd0};
+    wire [11:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
+    wire [11:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
+    wire [11:0] past_sum_difference = ({2'd0, splat_last_sum} + 12'd1) - first_sum_sum;
+    wire [11:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
+    wire [11:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
+    wire [3:0] first_difference_choice = |first_difference_difference[10:4] ? 4'd15 : first_difference_difference[3:0];
+    wire [11:0] past_difference_difference = ({2'd0, splat_last_difference} + 12'd1) - past_difference_sum;
+    wire [3:0] past_difference_choice = |past_difference_difference[10:4] ? 4'd15 : past_difference_difference[3:0];
 
     assign in_ready = ready;
     assign {
@@ -6389,21 +6545,20 @@ module splat_splitter (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w586 out_queue (
-        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w602 out_queue (
+        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
-            splat_attribute_11, splat_attribute_12, splat_cardinal_0,
-            (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0, right_most ? splat_right[2:0] : 3'd7,
-            (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
-            (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
+            splat_attribute_11, splat_attribute_12, splat_cardinal_0, out_queue_in_data_choice_2,
+            out_queue_in_data_choice, occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum,
+            past_sum - 4'd1, first_difference, past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -6412,16 +6567,17 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
-        end else if (out_queue_in_ready) begin
-            busy <= take | (busy & ~last);
-            idle <= take ? idle_either : (~busy | (last | idle_same));
+        end else begin
+            busy <= take | (busy & ~(step & last));
+            idle <= locate ? last : (idle & ~take);
         end
     end
     always @(posedge clk) begin
-        if (out_queue_in_ready) begin
-            last <= take ? idle_either : idle_same;
-            column <= take ? in_left[8:3] : idle_choice_2;
-            row <= take ? in_top[8:3] : idle_choice;
+        located <= locate | (located & ~moves);
+        if (moves) begin
+            last <= take ? last_either : last_same;
+            column <= take ? in_left[8:3] : column_choice;
+            row <= take ? in_top[8:3] : row_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -6460,19 +6616,31 @@ module splat_splitter (
             splat_right <= in_right;
             splat_top <= in_top;
             splat_bottom <= in_bottom;
+            splat_first_sum <= in_first_sum;
+            splat_last_sum <= in_last_sum;
+            splat_first_difference <= in_first_difference;
+            splat_last_difference <= in_last_difference;
+        end
+        if (locate) begin
+            first_sum <= first_sum_difference[11] ? 4'd0 : |first_sum_difference[10:4] ? 4'd15 : first_sum_difference[3:0];
+            past_sum <= past_sum_difference[11] ? 4'd0 : |past_sum_difference[10:4] ? 4'd15 : past_sum_difference[3:0];
+            first_difference <= first_difference_difference[11] ? 4'd0 : first_difference_choice;
+            past_difference <= past_difference_difference[11] ? 4'd0 : past_difference_choice;
         end
     end
+
+    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
 endmodule
 
 // One item in a register, at half rate.
-// width = 586
-module stream_half_buffer_w586 (
+// width = 602
+module stream_half_buffer_w602 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [585:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [585:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [601:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [601:0] out_data
 );
     reg full;
-    reg [585:0] item;
+    reg [601:0] item;
 
     assign in_ready = ~full;
 
@@ -6486,8 +6654,8 @@ module stream_half_buffer_w586 (
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
-// Footprint, depth band and bounding rectangle of a splat.
-// latency = 145
+// Footprint, depth band and bounding octagon of a splat.
+// latency = 168
 // initiation_interval = 8
 module splat_setup (
     input  wire clk, input wire rst,
@@ -6562,99 +6730,124 @@ module splat_setup (
     output wire [8:0] out_left,  // First column.
     output wire [8:0] out_right,  // Last column.
     output wire [8:0] out_top,  // First row.
-    output wire [8:0] out_bottom  // Last row.
+    output wire [8:0] out_bottom,  // Last row.
+    output wire [9:0] out_first_sum,  // Smallest sum.
+    output wire [9:0] out_last_sum,  // Largest sum.
+    output wire [9:0] out_first_difference,  // Smallest difference.
+    output wire [9:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_0 [0:3];
+    reg [47:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
     reg [23:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [1:0] delay_11_from_0 [0:9];
+    reg [49:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg [224:0] delay_19_from_0 [0:17];
+    reg delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg delay_6_from_1 [0:4];
+    reg [224:0] delay_21_from_0 [0:19];
     (* ram_style = "distributed" *)
-    reg [48:0] delay_8_from_1 [0:6];
+    reg [24:0] delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [48:0] delay_9_from_1 [0:7];
+    reg [47:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
     reg [1:0] delay_11_from_2 [0:9];
     (* ram_style = "distributed" *)
-    reg delay_16_from_2 [0:14];
+    reg delay_19_from_2 [0:17];
     (* ram_style = "distributed" *)
     reg [23:0] delay_7_from_3 [0:5];
     (* ram_style = "distributed" *)
     reg [10:0] delay_5_from_4 [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_4 [0:5];
+    reg [48:0] delay_7_from_4 [0:5];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_5_from_5 [0:3];
+    reg [23:0] delay_11_from_4 [0:9];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_12_from_4 [0:10];
+    (* ram_style = "distributed" *)
+    reg [23:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
     reg delay_7_from_5 [0:5];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_8_from_6 [0:6];
+    reg delay_8_from_5 [0:6];
     (* ram_style = "distributed" *)
-    reg [97:0] delay_9_from_6 [0:7];
+    reg [53:0] delay_14_from_5 [0:12];
     (* ram_style = "distributed" *)
-    reg delay_11_from_6 [0:9];
+    reg delay_8_from_6 [0:6];
     (* ram_style = "distributed" *)
-    reg delay_12_from_6 [0:10];
+    reg delay_9_from_6 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_17_from_6 [0:15];
+    reg [1:0] delay_11_from_6 [0:9];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_5_from_7 [0:3];
+    reg [1:0] delay_12_from_6 [0:10];
     (* ram_style = "distributed" *)
-    reg [45:0] delay_7_from_7 [0:5];
+    reg delay_20_from_6 [0:18];
     (* ram_style = "distributed" *)
     reg [23:0] delay_9_from_7 [0:7];
+    (* ram_style = "distributed" *)
+    reg [45:0] delay_10_from_7 [0:8];
+    (* ram_style = "distributed" *)
+    reg delay_13_from_7 [0:11];
     reg [2:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
     reg [1:0] delay_5_from_0_pointer;
-    reg [23:0] delay_5_from_0_out;
+    reg [47:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [47:0] delay_6_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [23:0] delay_9_from_0_out;
     reg [3:0] delay_11_from_0_pointer;
-    reg [1:0] delay_11_from_0_out;
-    reg [4:0] delay_19_from_0_pointer;
-    reg [224:0] delay_19_from_0_out;
+    reg [49:0] delay_11_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg delay_14_from_0_out;
+    reg [4:0] delay_21_from_0_pointer;
+    reg [224:0] delay_21_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
-    reg delay_6_from_1_out;
-    reg [2:0] delay_8_from_1_pointer;
-    reg [48:0] delay_8_from_1_out;
+    reg [24:0] delay_6_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
-    reg [48:0] delay_9_from_1_out;
+    reg [47:0] delay_9_from_1_out;
     reg [3:0] delay_11_from_2_pointer;
     reg [1:0] delay_11_from_2_out;
-    reg [3:0] delay_16_from_2_pointer;
-    reg delay_16_from_2_out;
+    reg [4:0] delay_19_from_2_pointer;
+    reg delay_19_from_2_out;
     reg [2:0] delay_7_from_3_pointer;
     reg [23:0] delay_7_from_3_out;
     reg [1:0] delay_5_from_4_pointer;
     reg [10:0] delay_5_from_4_out;
     reg [2:0] delay_7_from_4_pointer;
-    reg [23:0] delay_7_from_4_out;
+    reg [48:0] delay_7_from_4_out;
+    reg [3:0] delay_11_from_4_pointer;
+    reg [23:0] delay_11_from_4_out;
+    reg [3:0] delay_12_from_4_pointer;
+    reg [95:0] delay_12_from_4_out;
     reg [1:0] delay_5_from_5_pointer;
-    reg [24:0] delay_5_from_5_out;
+    reg [23:0] delay_5_from_5_out;
     reg [2:0] delay_7_from_5_pointer;
     reg delay_7_from_5_out;
+    reg [2:0] delay_8_from_5_pointer;
+    reg delay_8_from_5_out;
+    reg [3:0] delay_14_from_5_pointer;
+    reg [53:0] delay_14_from_5_out;
     reg [2:0] delay_8_from_6_pointer;
-    reg [24:0] delay_8_from_6_out;
+    reg delay_8_from_6_out;
     reg [2:0] delay_9_from_6_pointer;
-    reg [97:0] delay_9_from_6_out;
+    reg delay_9_from_6_out;
     reg [3:0] delay_11_from_6_pointer;
-    reg delay_11_from_6_out;
+    reg [1:0] delay_11_from_6_out;
     reg [3:0] delay_12_from_6_pointer;
-    reg delay_12_from_6_out;
-    reg [3:0] delay_17_from_6_pointer;
-    reg delay_17_from_6_out;
-    reg [1:0] delay_5_from_7_pointer;
-    reg [24:0] delay_5_from_7_out;
-    reg [2:0] delay_7_from_7_pointer;
-    reg [45:0] delay_7_from_7_out;
+    reg [1:0] delay_12_from_6_out;
+    reg [4:0] delay_20_from_6_pointer;
+    reg delay_20_from_6_out;
     reg [2:0] delay_9_from_7_pointer;
-    reg [23:0] delay_9_from_7_out, center_x_d1, center_y_d1, center_z_d1, center_z_d2, tangent1_x_d1, tangent1_y_d1;
-    reg [23:0] tangent1_z_d1, tangent2_x_d1, tangent2_y_d1, tangent2_z_d1;
+    reg [23:0] delay_9_from_7_out;
+    reg [3:0] delay_10_from_7_pointer;
+    reg [45:0] delay_10_from_7_out;
+    reg [3:0] delay_13_from_7_pointer;
+    reg delay_13_from_7_out;
+    reg [23:0] center_x_d1, center_y_d1, center_z_d1, tangent1_x_d1, tangent1_y_d1, tangent1_z_d1, tangent2_x_d1;
+    reg [23:0] tangent2_y_d1, tangent2_z_d1;
     reg [10:0] first_x_greater_bits_d1, first_x_greater_bits_plus_1_d1;
     reg first_x_in_order_d1, first_x_inverted_d1, first_x_greater_bits_is_255_d1, first_x_in_order_d1_copy2;
     reg first_x_both_d1;
@@ -6716,37 +6909,37 @@ module splat_setup (
     reg beyond_near_and_not_turned_d1, beyond_near_and_not_turned_d2, beyond_near_and_not_turned_d3;
     reg beyond_near_and_not_turned_d4, beyond_near_and_not_turned_d5;
     reg [23:0] reaches_near_sum_d1_copy2, r_d1, alpha_d1, alpha_d2, alpha_d3, beta_d1, beta_d2, beta_d3, q_d1, q_d2;
-    reg [23:0] q_d3, q_d4, e_d1;
-    reg whole_d1, whole_d8, whole_d9;
+    reg [23:0] q_d3, q_d4, q_d5, e_d1;
+    reg whole_d1, whole_d8, whole_d9, whole_d10, whole_d11, whole_d12, whole_d13;
     reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, b_depth_d4, b_depth_d5, b_depth_d6, b_depth_d7;
-    reg [23:0] center_depth_d8, center_depth_d9, q_times_f_d1, spread_middle_d1, spread_middle_d2, spread_half_d1;
-    reg [23:0] spread_half_d2, spread_half_d3, before_far_joined_d1;
+    reg [23:0] center_depth_d8, center_depth_d9, spread_middle_d1, spread_middle_d2, spread_half_d1, spread_half_d2;
+    reg [23:0] spread_half_d3, before_far_sum_d1, before_far_joined_d1;
     reg before_far_in_order_d1, before_far_in_order_d2, sight_disc_out_d12, sight_disc_out_d13;
-    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, a_x_joined_times_r_d1, b_x_joined_times_r_d1;
-    reg [23:0] center_x_d6, center_x_d7, center_x_d8, center_x_d9, center_x_d10, center_x_d11, center_x_d12;
-    reg [23:0] center_x_d13, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
+    reg sight_disc_out_d14, sight_disc_out_d15, sight_disc_out_d16;
+    reg [23:0] middle_depth_d1, middle_depth_d2, middle_depth_d3, half_depth_d1, epsilon_d1, a_x_joined_times_r_d1;
+    reg [23:0] a_x_d1, b_x_joined_times_r_d1, b_x_d1, scale_x_times_v_x_d1, center_x_d6, center_x_d7, center_x_d8;
+    reg [23:0] center_x_d9, t_x_sum_d1, t_x_sum_d2, t_x_d1, a_x_squared_plus_b_x_squared_d1;
     reg [23:0] a_x_squared_plus_b_x_squared_d2, h_x_product_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
     reg [23:0] center_x_minus_t_x_d3, center_x_minus_t_x_d4, center_x_minus_first_x_joined_d1;
     reg [23:0] center_x_plus_first_x_joined_d1, f_times_scale_x_d1, first_x_joined_d1_copy2, first_x_chosen_d1;
     reg [23:0] first_x_chosen_d2, first_x_chosen_d3, last_x_chosen_d1, last_x_chosen_d2, last_x_chosen_d3;
     reg [23:0] first_x_chosen_d1_copy2, last_x_chosen_d1_copy2, center_x_minus_filter_radius_d1;
-    reg [23:0] first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
+    reg [23:0] filter_radius_plus_center_x_d1, first_x_chosen_d1_copy3, last_x_chosen_d1_copy3;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
-    reg [8:0] last_x_d1;
-    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d6, center_y_d7;
-    reg [23:0] center_y_d8, center_y_d9, center_y_d10, center_y_d11, center_y_d12, center_y_d13, t_y_sum_d1;
-    reg [23:0] t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1, a_y_squared_plus_b_y_squared_d2, h_y_product_d1;
-    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3;
-    reg [23:0] center_y_minus_t_y_d4, minus_h_y_d1, center_y_minus_first_y_joined_d1;
-    reg [23:0] center_y_plus_first_y_joined_d1;
+    reg [8:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2, last_x_d3, last_x_d4;
+    reg [23:0] v_y_d1, a_y_joined_times_r_d1, a_y_d1, b_y_joined_times_r_d1, b_y_d1, center_y_d1_copy2, center_y_d2;
+    reg [23:0] center_y_d3, center_y_d4, center_y_d5, center_y_d6, center_y_d7, center_y_d8, center_y_d9;
+    reg [23:0] center_y_d10, t_y_sum_d1, t_y_sum_d2, t_y_d1, a_y_squared_plus_b_y_squared_d1;
+    reg [23:0] a_y_squared_plus_b_y_squared_d2, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] center_y_minus_t_y_d1, center_y_minus_t_y_d2, center_y_minus_t_y_d3, center_y_minus_t_y_d4;
+    reg [23:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_plus_first_y_joined_d1;
     reg first_y_in_order_d1_copy3;
-    reg [23:0] first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3, last_y_chosen_d1;
-    reg [23:0] last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2, last_y_chosen_d1_copy2;
-    reg [23:0] filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3, last_y_chosen_d1_copy3, first_y_greater_d1;
-    reg [21:0] first_y_shifted_d1;
-    reg [23:0] last_y_greater_d1;
-    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
-    reg [8:0] last_y_d1;
+    reg [23:0] f_times_scale_y_d1, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2, first_y_chosen_d3;
+    reg [23:0] first_y_chosen_d4, last_y_chosen_d1, last_y_chosen_d2, last_y_chosen_d3, first_y_chosen_d1_copy2;
+    reg [23:0] last_y_chosen_d1_copy2, filter_radius_plus_center_y_d1, first_y_chosen_d1_copy3;
+    reg [23:0] last_y_chosen_d1_copy3;
+    reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
+    reg [8:0] first_y_d1, first_y_d2, first_y_d3, last_y_d1, last_y_d2, last_y_d3;
     reg [10:0] a_x_bits_d1, a_x_bits_d2, a_x_bits_d3, a_y_bits_d1, a_y_bits_d2, a_y_bits_d3, a_exponent_d1;
     reg [10:0] b_x_bits_d1, b_x_bits_d2, b_x_bits_d3, b_y_bits_d1, b_y_bits_d2, b_y_bits_d3, b_exponent_d1;
     reg [10:0] a_x_bits_plus_127_d1;
@@ -6754,7 +6947,7 @@ module splat_setup (
     reg a_x_bits_is_255_d1, a_x_bits_is_255_d2, a_x_bits_is_255_d3;
     reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2, a_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1;
-    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3, a_x_sign_d4;
+    reg a_x_sign_d1, a_x_sign_d2, a_x_sign_d3;
     reg [23:0] unit_delta_joined_d1;
     reg [10:0] a_y_bits_plus_127_d1;
     reg not_zero_is_a_y_bits_d1, not_zero_is_a_y_bits_d2, not_zero_is_a_y_bits_d3, unit_delta_both_d1_copy2;
@@ -6768,7 +6961,7 @@ module splat_setup (
     reg b_x_bits_is_255_d1, b_x_bits_is_255_d2, b_x_bits_is_255_d3;
     reg [14:0] b_x_bits_d1_copy2, b_x_bits_d2_copy2, b_x_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy3;
-    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3, b_x_sign_d4;
+    reg b_x_sign_d1, b_x_sign_d2, b_x_sign_d3;
     reg [23:0] unit_delta_joined_d1_copy3;
     reg [10:0] b_y_bits_plus_127_d1;
     reg not_zero_is_b_y_bits_d1, not_zero_is_b_y_bits_d2, not_zero_is_b_y_bits_d3, unit_delta_both_d1_copy4;
@@ -6776,7 +6969,7 @@ module splat_setup (
     reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2, b_y_bits_d3_copy2;
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1, b_y_sign_d2, b_y_sign_d3;
-    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
+    reg [23:0] unit_delta_joined_d1_copy4;
     reg [10:0] beta_bits_d1, beta_bits_d2, beta_bits_d3, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
     reg [10:0] alpha_bits_d3, b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
     reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, not_zero_is_beta_bits_d3, mx_both_d1;
@@ -6787,26 +6980,26 @@ module splat_setup (
     reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, not_zero_is_alpha_bits_d3, mx_both_d1_copy2;
     reg alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [23:0] mx_joined_d1_copy2, mx_product_d1, minus_mx_product_d1, my_product_d1, minus_my_product_d1;
-    reg [10:0] largest_sum_d1, largest_sum_d2, largest_sum_d3, unit_delta_bits_d1, largest_greater_d1;
-    reg [10:0] largest_greater_plus_154_d1, largest_greater_plus_154_d2;
+    reg [23:0] mx_joined_d1_copy2, mx_product_minus_mx_product_d1, my_product_d1, minus_my_product_d1;
+    reg [10:0] largest_sum_d1, largest_sum_d2, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
+    reg [10:0] largest_greater_plus_154_d2;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
     reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, largest_sum_d1_copy2, largest_sum_d2_copy2;
-    reg [10:0] largest_sum_d3_copy2, largest_d1, a_x_bits_plus_381_d1;
+    reg [10:0] largest_sum_d3, largest_d1, a_x_bits_plus_381_d1;
     reg ax_out_both_d1;
-    reg [22:0] ax_out_joined_d1;
-    reg [23:0] ax_out_joined_d1_copy2;
+    reg [7:0] ax_out_chosen_d1;
+    reg [23:0] ax_out_joined_d1;
     reg [10:0] a_y_bits_plus_381_d1;
     reg ay_out_both_d1;
-    reg [22:0] ay_out_joined_d1;
-    reg [23:0] ay_out_joined_d1_copy2;
+    reg [7:0] ay_out_chosen_d1;
+    reg [23:0] ay_out_joined_d1;
     reg [10:0] b_x_bits_plus_381_d1;
     reg bx_out_both_d1;
-    reg [22:0] bx_out_joined_d1;
+    reg [7:0] bx_out_chosen_d1;
     reg [10:0] b_y_bits_plus_381_d1;
     reg by_out_both_d1;
-    reg [22:0] by_out_joined_d1;
+    reg [7:0] by_out_chosen_d1;
     reg [10:0] delta_sum_d1;
     reg not_zero_is_unit_delta_bits_d1, delta_both_d1, unit_delta_bits_is_255_d1;
     reg [14:0] unit_delta_bits_d1_copy2;
@@ -6815,9 +7008,7 @@ module splat_setup (
     reg [23:0] delta_d1;
     reg [10:0] mx_sum_d1_copy3, mx_sum_d2, mx_sum_d3, mx_bits_d1, mx_sum_plus_mx_bits_d1;
     reg not_zero_is_mx_bits_d1, mx_both_d1_copy3, mx_bits_is_255_d1;
-    reg [14:0] mx_bits_d1_copy2;
     reg [7:0] mx_chosen_d1_copy3;
-    reg mx_bits_d1_copy3;
     reg [10:0] my_bits_d1, mx_sum_plus_my_bits_d1;
     reg not_zero_is_my_bits_d1, my_both_d1, my_bits_is_255_d1;
     reg [14:0] my_bits_d1_copy2;
@@ -6826,77 +7017,101 @@ module splat_setup (
     reg [10:0] edge_on_lesser_d1;
     reg edge_on_lesser_below_32_d1, edge_on_lesser_below_32_d2, unit_delta_bits_is_zero_d1;
     reg [7:0] unit_delta_product_bits_d1;
-    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, sight_negative_out_d9;
-    reg [23:0] ax_out_joined_d1_copy3, ay_out_joined_d1_copy3;
+    reg edge_on_in_order_d1;
+    reg [23:0] first_sum_sum_d1, first_sum_sum_d2, f_times_first_sum_sum_d1, first_sum_sum_d1_copy2;
+    reg [23:0] first_sum_product_d1, first_difference_sum_d1, root_of_first_sum_sum_d1, first_sum_sum_d1_copy3;
+    reg [23:0] first_sum_chosen_d1;
+    reg [26:0] first_sum_sum_d1_copy4;
+    reg [23:0] last_sum_sum_d1, last_sum_chosen_d1;
+    reg [26:0] last_sum_sum_d1_copy2;
+    reg [23:0] first_difference_sum_d1_copy2, first_difference_chosen_d1;
+    reg [26:0] first_difference_sum_d1_copy3;
+    reg [23:0] last_difference_sum_d1, last_difference_chosen_d1;
+    reg [26:0] last_difference_sum_d1_copy2;
+    reg [21:0] center_x_fixed_d1;
+    reg whole_and_first_sum_both_d1;
+    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
+    reg [26:0] first_sum_greater_d1, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
+    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy4, last_difference_sum_d1_copy3;
+    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy4, first_difference_greater_d1;
+    reg [26:0] first_difference_d1, last_difference_lesser_d1;
+    reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
+    reg [9:0] last_sum_out_d1, last_difference_out_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_both_d3;
+    reg sight_negative_out_d13, visible_both_d1_copy2;
+    reg [23:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2;
     reg visible_unequal_d1;
-    reg [23:0] delta_times_one_over_b_depth_d1, depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4;
-    reg [23:0] depth_low_out_d1, depth_high_out_greater_d1, max_f24_ftz_unit_a, max_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_copy2_a, max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b;
-    reg [23:0] lt_f24_ftz_unit_copy2_a, lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a;
-    reg [23:0] add_f24_ftz_unit_copy6_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
+    reg [23:0] delta_times_one_over_b_depth_d1, middle_depth_minus_epsilon_d1, depth_low_out_d1, depth_low_out_d2;
+    reg [23:0] depth_low_out_d3, middle_depth_plus_epsilon_d1, depth_high_out_d1, depth_high_out_d2;
+    reg [23:0] depth_high_out_d3, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
+    reg [23:0] max_f24_ftz_unit_copy2_b, lt_f24_ftz_unit_a, lt_f24_ftz_unit_b, lt_f24_ftz_unit_copy2_a;
+    reg [23:0] lt_f24_ftz_unit_copy2_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
+    reg [23:0] add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b, add_f24_ftz_unit_copy5_a;
+    reg [23:0] add_f24_ftz_unit_copy5_b, add_f24_ftz_unit_copy6_a, add_f24_ftz_unit_copy6_b;
+    reg [23:0] add_f24_ftz_unit_copy7_a, add_f24_ftz_unit_copy7_b, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
     reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b;
     reg [23:0] mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b, sqrt_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
-    reg [18:0] in_flight;
+    reg [23:0] mul_f24_ftz_unit_copy6_b, mul_f24_ftz_unit_copy7_a, mul_f24_ftz_unit_copy7_b;
+    reg [23:0] mul_f24_ftz_unit_copy8_a, mul_f24_ftz_unit_copy8_b, sqrt_f24_ftz_unit_a, le_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b, min_f24_ftz_unit_copy2_a;
+    reg [23:0] min_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s22q8_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [20:0] in_flight;
 
     wire queue_in_ready;
-    wire [597:0] queue_out_data;
+    wire [637:0] queue_out_data;
     wire [23:0] max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
     wire lt_f24_ftz_unit_y, lt_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, recip_f24_ftz_unit_y, mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y, sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, add_f24_ftz_unit_copy7_y, recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
+    wire [23:0] mul_f24_ftz_unit_copy8_y, sqrt_f24_ftz_unit_y;
     wire le_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_y, min_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
+    wire [21:0] to_fixed_f24_ftz_s22q8_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire end_d19 = delay_19_from_0_out[0];
-    wire reaches_near_and_visible_both = delay_16_from_2_out & visible_both_d1;
-    wire edge_on_d9 = delay_9_from_1_out[48];
-    wire edge_on_or_visible_unequal = edge_on_d9 | visible_unequal_d1;
-    wire visible = reaches_near_and_visible_both & edge_on_or_visible_unequal;
-    wire end_or_visible = end_d19 | visible;
-    wire phase_is_1 = phase == 3'd1;
-    wire queue_in_valid_both = in_flight[18] & end_or_visible & phase_is_1;
-    wire [23:0] ax_out_d8 = delay_8_from_1_out[24:1];
-    wire [23:0] bx_out_d9 = delay_9_from_6_out[24:1];
-    wire [23:0] ay_out_d8 = delay_8_from_1_out[48:25];
-    wire [23:0] by_out_d9 = delay_9_from_6_out[48:25];
-    wire [23:0] delta_d9 = delay_8_from_6_out[24:1];
-    wire [23:0] delta_out = edge_on_d9 ? 24'h7fc000 : delta_d9;
-    wire [23:0] mx_d9 = delay_9_from_6_out[72:49];
-    wire [23:0] my_d9 = delay_9_from_6_out[96:73];
-    wire beyond_near_d5 = delay_5_from_5_out[24];
-    wire [22:0] sight_near_out_product_bits_d7 = delay_7_from_7_out[22:0];
-    wire [22:0] sight_near_out = beyond_near_d5 ? 23'h7fffff : sight_near_out_product_bits_d7;
-    wire all_before_far_d5 = delay_5_from_7_out[0];
-    wire [22:0] sight_far_out_product_bits_d7 = delay_7_from_7_out[45:23];
-    wire [22:0] sight_far_out = all_before_far_d5 ? 23'd0 : sight_far_out_product_bits_d7;
-    wire turned_d18 = delay_8_from_6_out[0];
-    wire [15:0] attribute_0_d19 = delay_19_from_0_out[16:1];
-    wire [15:0] attribute_1_d19 = delay_19_from_0_out[32:17];
-    wire [15:0] attribute_2_d19 = delay_19_from_0_out[48:33];
-    wire [15:0] attribute_3_d19 = delay_19_from_0_out[64:49];
-    wire [15:0] attribute_4_d19 = delay_19_from_0_out[80:65];
-    wire [15:0] attribute_5_d19 = delay_19_from_0_out[96:81];
-    wire [15:0] attribute_6_d19 = delay_19_from_0_out[112:97];
-    wire [15:0] attribute_7_d19 = delay_19_from_0_out[128:113];
-    wire [15:0] attribute_8_d19 = delay_19_from_0_out[144:129];
-    wire [15:0] attribute_9_d19 = delay_19_from_0_out[160:145];
-    wire [15:0] attribute_10_d19 = delay_19_from_0_out[176:161];
-    wire [15:0] attribute_11_d19 = delay_19_from_0_out[192:177];
-    wire [15:0] attribute_12_d19 = delay_19_from_0_out[208:193];
-    wire [15:0] cardinal_0_d19 = delay_19_from_0_out[224:209];
-    wire [8:0] first_x = first_x_shifted_d1[8:0];
-    wire [8:0] first_y = first_y_shifted_d1[8:0];
+    wire end_d21 = delay_21_from_0_out[0];
+    wire edge_on_or_visible_unequal = delay_13_from_7_out | visible_unequal_d1;
+    wire visible = visible_both_d1_copy2 & edge_on_or_visible_unequal;
+    wire end_or_visible = end_d21 | visible;
+    wire phase_is_0 = phase == 3'd0;
+    wire queue_in_valid_both = in_flight[20] & end_or_visible & phase_is_0;
+    wire [23:0] center_x_d15 = delay_6_from_0_out[23:0];
+    wire [23:0] center_y_d15 = delay_5_from_0_out[47:24];
+    wire [23:0] ax_out_d11 = delay_11_from_0_out[25:2];
+    wire [23:0] bx_out_d12 = delay_12_from_4_out[23:0];
+    wire [23:0] ay_out_d11 = delay_11_from_0_out[49:26];
+    wire [23:0] by_out_d12 = delay_12_from_4_out[47:24];
+    wire [23:0] delta_out = delay_13_from_7_out ? 24'h7fc000 : delay_11_from_4_out;
+    wire [23:0] mx_d12 = delay_12_from_4_out[71:48];
+    wire [23:0] my_d12 = delay_12_from_4_out[95:72];
+    wire [22:0] sight_near_out_product_bits_d10 = delay_10_from_7_out[22:0];
+    wire [22:0] sight_near_out = delay_8_from_5_out ? 23'h7fffff : sight_near_out_product_bits_d10;
+    wire all_before_far_d7 = delay_7_from_4_out[24];
+    wire [22:0] sight_far_out_product_bits_d10 = delay_10_from_7_out[45:23];
+    wire [22:0] sight_far_out = all_before_far_d7 ? 23'd0 : sight_far_out_product_bits_d10;
+    wire turned_d21 = delay_11_from_6_out[0];
+    wire [23:0] depth_out_d6 = delay_6_from_0_out[47:24];
+    wire [15:0] attribute_0_d21 = delay_21_from_0_out[16:1];
+    wire [15:0] attribute_1_d21 = delay_21_from_0_out[32:17];
+    wire [15:0] attribute_2_d21 = delay_21_from_0_out[48:33];
+    wire [15:0] attribute_3_d21 = delay_21_from_0_out[64:49];
+    wire [15:0] attribute_4_d21 = delay_21_from_0_out[80:65];
+    wire [15:0] attribute_5_d21 = delay_21_from_0_out[96:81];
+    wire [15:0] attribute_6_d21 = delay_21_from_0_out[112:97];
+    wire [15:0] attribute_7_d21 = delay_21_from_0_out[128:113];
+    wire [15:0] attribute_8_d21 = delay_21_from_0_out[144:129];
+    wire [15:0] attribute_9_d21 = delay_21_from_0_out[160:145];
+    wire [15:0] attribute_10_d21 = delay_21_from_0_out[176:161];
+    wire [15:0] attribute_11_d21 = delay_21_from_0_out[192:177];
+    wire [15:0] attribute_12_d21 = delay_21_from_0_out[208:193];
+    wire [15:0] cardinal_0_d21 = delay_21_from_0_out[224:209];
     wire phase_is_7 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (phase_is_7 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
@@ -7038,51 +7253,55 @@ module splat_setup (
     wire not_turned_and_whole_in_order = not_turned_d6 & lt_f24_ftz_unit_y;
     wire zero_is_lowered = 11'd0 == delay_5_from_4_out;
     wire whole = not_turned_and_whole_in_order & zero_is_lowered;
+    wire whole_d7 = delay_6_from_1_out[0];
     wire before_far_in_order = mul_f24_ftz_unit_y[22:0] < 23'd16;
     wire [22:0] before_far_difference = mul_f24_ftz_unit_y[22:0] - 23'd16;
     wire [22:0] before_far_chosen = before_far_in_order ? 23'd0 : before_far_difference;
-    wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
+    wire sight_disc_out_d11 = delay_11_from_6_out[1];
+    wire beyond_near = whole_d7 & le_f24_ftz_unit_y;
     wire [23:0] middle_depth_chosen = delay_7_from_5_out ? center_depth_d9 : 24'd0;
     wire [23:0] middle_depth = beyond_near ? spread_middle_d2 : middle_depth_chosen;
     wire [23:0] half_depth = beyond_near ? spread_half_d3 : delay_9_from_7_out;
-    wire [23:0] center_x_d5 = delay_5_from_7_out[24:1];
+    wire [23:0] center_x_d5 = delay_5_from_0_out[23:0];
     wire first_x_product_bits_below_16 = mul_f24_ftz_unit_copy5_y[22:0] < 23'd16;
     wire [22:0] first_x_product_bits_minus_16 = mul_f24_ftz_unit_copy5_y[22:0] - 23'd16;
     wire [22:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 23'd0 : first_x_product_bits_minus_16;
     wire first_x_chosen_d11 = delay_11_from_0_out[0];
-    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire [23:0] first_x_chosen_copy8 = first_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'd0;
     wire last_x_chosen_d11 = delay_11_from_0_out[1];
-    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
-    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_x_chosen_d3;
-    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy4_y : last_x_chosen_d3;
-    wire [23:0] first_x_chosen_copy10 = delay_11_from_6_out ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
-    wire [23:0] last_x_chosen_copy4 = delay_11_from_6_out ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
+    wire [23:0] last_x_chosen_copy2 = last_x_chosen_d11 ? add_f24_ftz_unit_copy2_y : 24'h45fff8;
+    wire [23:0] first_x_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy4_y : first_x_chosen_d3;
+    wire [23:0] last_x_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy5_y : last_x_chosen_d3;
+    wire [23:0] first_x_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_x_chosen_d1_copy2;
+    wire [23:0] last_x_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_x_chosen_d1_copy2;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
+    wire [8:0] first_x = first_x_shifted_d1[8:0];
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [8:0] last_x = last_x_lesser_minus_1[8:0];
     wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy2_y[22:0] < 23'd16;
-    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy2_y[22:0] - 23'd16;
+    wire first_y_product_bits_below_16 = mul_f24_ftz_unit_copy7_y[22:0] < 23'd16;
+    wire [22:0] first_y_product_bits_minus_16 = mul_f24_ftz_unit_copy7_y[22:0] - 23'd16;
     wire [22:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 23'd0 : first_y_product_bits_minus_16;
     wire first_y_chosen_d11 = delay_11_from_2_out[0];
-    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'd0;
+    wire [23:0] first_y_chosen_copy8 = first_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'd0;
     wire last_y_chosen_d11 = delay_11_from_2_out[1];
-    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
-    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy3_y : first_y_chosen_d3;
+    wire [23:0] last_y_chosen_copy2 = last_y_chosen_d11 ? add_f24_ftz_unit_copy6_y : 24'h45fff8;
+    wire [23:0] first_y_chosen_copy9 = whole_d9 ? add_f24_ftz_unit_copy5_y : first_y_chosen_d4;
     wire [23:0] last_y_chosen_copy3 = whole_d9 ? add_f24_ftz_unit_copy3_y : last_y_chosen_d3;
-    wire [23:0] first_y_chosen_copy10 = delay_11_from_6_out ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
-    wire [23:0] last_y_chosen_copy4 = delay_11_from_6_out ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
+    wire [23:0] first_y_chosen_copy10 = sight_disc_out_d11 ? min_f24_ftz_unit_y : first_y_chosen_d1_copy2;
+    wire [23:0] last_y_chosen_copy4 = sight_disc_out_d11 ? max_f24_ftz_unit_y : last_y_chosen_d1_copy2;
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
+    wire [8:0] first_y = first_y_shifted_d1[8:0];
     wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [8:0] last_y = last_y_lesser_minus_1[8:0];
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy5_y[22:15]};
     wire [10:0] a_exponent = (a_x_bits_d1_bits < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1_bits;
-    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
     wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy6_y[22:15]};
     wire [10:0] b_exponent = (b_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : b_x_bits_d1_bits;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
@@ -7090,9 +7309,9 @@ module splat_setup (
     wire not_zero_is_a_x_bits = ~zero_is_a_x_bits;
     wire unit_delta_in_order = a_exponent_d1 < a_x_bits_plus_127_d1;
     wire unit_delta_both = unit_delta_in_order & not_zero_is_a_x_bits_d1;
-    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1;
+    wire a_x_bits_is_255 = 11'd255 == a_x_bits_d1_bits;
     wire [10:0] unit_delta_difference = a_x_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen = a_x_bits_is_255 ? a_x_bits_d1 : unit_delta_difference;
+    wire [10:0] unit_delta_chosen = a_x_bits_is_255_d1 ? a_x_bits_d1 : unit_delta_difference;
     wire unit_delta_either = unit_delta_both_d1 | a_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy2 = unit_delta_either ? {unit_delta_chosen_d1, a_x_bits_d1_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_127 = 11'd127 + a_y_bits_d1_bits;
@@ -7100,9 +7319,9 @@ module splat_setup (
     wire not_zero_is_a_y_bits = ~zero_is_a_y_bits;
     wire unit_delta_in_order_copy2 = a_exponent_d1 < a_y_bits_plus_127_d1;
     wire unit_delta_both_copy2 = unit_delta_in_order_copy2 & not_zero_is_a_y_bits_d1;
-    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1;
+    wire a_y_bits_is_255 = 11'd255 == a_y_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy2 = a_y_bits_plus_127_d1 - a_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255 ? a_y_bits_d1 : unit_delta_difference_copy2;
+    wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
     wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
@@ -7110,9 +7329,9 @@ module splat_setup (
     wire not_zero_is_b_x_bits = ~zero_is_b_x_bits;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_zero_is_b_x_bits_d1;
-    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1;
+    wire b_x_bits_is_255 = 11'd255 == b_x_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255 ? b_x_bits_d1 : unit_delta_difference_copy3;
+    wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
     wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
@@ -7120,19 +7339,17 @@ module splat_setup (
     wire not_zero_is_b_y_bits = ~zero_is_b_y_bits;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_zero_is_b_y_bits_d1;
-    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1;
+    wire b_y_bits_is_255 = 11'd255 == b_y_bits_d1_bits;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
-    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255 ? b_y_bits_d1 : unit_delta_difference_copy4;
+    wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d3;
-    wire [10:0] alpha_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d3;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d3 + a_exponent_plus_127;
-    wire zero_is_beta_bits = zero_is_a_x_bits;
+    wire zero_is_beta_bits = zero_is_b_x_bits;
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d3;
@@ -7143,7 +7360,7 @@ module splat_setup (
     wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d3[14:0]} : 23'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d3 + b_exponent_plus_127;
-    wire zero_is_alpha_bits = 11'd0 == alpha_bits_d1_bits;
+    wire zero_is_alpha_bits = zero_is_a_x_bits;
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d3;
@@ -7152,13 +7369,13 @@ module splat_setup (
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d3 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d3[14:0]} : 23'd0;
-    wire [23:0] minus_mul_f24_ftz_unit_copy6_y = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
     wire [10:0] largest_sum = delay_5_from_4_out + a_exponent_plus_b_exponent;
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy7_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
-    wire [10:0] largest_sum_copy2 = largest_sum_d3 + unit_delta_bits_d1_bits;
+    wire [10:0] largest_sum_copy2 = largest_sum_d2 + unit_delta_bits_d1_bits;
     wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
     wire [10:0] largest_sum_minus_100 = largest_sum_copy2 - 11'd100;
     wire [10:0] largest_chosen = largest_sum_below_100_d1 ? 11'd0 : largest_sum_minus_100_d1;
@@ -7171,21 +7388,21 @@ module splat_setup (
     wire [10:0] largest_greater_copy3 = (largest_greater_d1_copy2 < largest_chosen_d1_copy2) ? largest_chosen_d1_copy2 : largest_greater_d1_copy2;
     wire [10:0] lowered_plus_m_exponent = delay_5_from_4_out + m_exponent_d1;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
-    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3_copy2) ? largest_sum_d3_copy2 : largest_greater_d1_copy3;
+    wire [10:0] largest = (largest_greater_d1_copy3 < largest_sum_d3) ? largest_sum_d3 : largest_greater_d1_copy3;
     wire [10:0] a_x_bits_plus_381 = a_x_bits_d2 + 11'd381;
     wire ax_out_in_order = largest_d1 < a_x_bits_plus_381_d1;
     wire ax_out_both = not_zero_is_a_x_bits_d3 & ax_out_in_order;
     wire [10:0] ax_out_difference = a_x_bits_plus_381_d1 - largest_d1;
     wire [10:0] ax_out_chosen = a_x_bits_is_255_d3 ? a_x_bits_d3 : ax_out_difference;
     wire a_x_bits_is_255_or_ax_out_both = a_x_bits_is_255_d3 | ax_out_both_d1;
-    wire [22:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? ax_out_joined_d1 : 23'd0;
+    wire [22:0] ax_out_chosen_copy2 = a_x_bits_is_255_or_ax_out_both ? {ax_out_chosen_d1, a_x_bits_d3_copy2} : 23'd0;
     wire [10:0] a_y_bits_plus_381 = a_y_bits_d2 + 11'd381;
     wire ay_out_in_order = largest_d1 < a_y_bits_plus_381_d1;
     wire ay_out_both = not_zero_is_a_y_bits_d3 & ay_out_in_order;
     wire [10:0] ay_out_difference = a_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] ay_out_chosen = a_y_bits_is_255_d3 ? a_y_bits_d3 : ay_out_difference;
     wire a_y_bits_is_255_or_ay_out_both = a_y_bits_is_255_d3 | ay_out_both_d1;
-    wire [22:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? ay_out_joined_d1 : 23'd0;
+    wire [22:0] ay_out_chosen_copy2 = a_y_bits_is_255_or_ay_out_both ? {ay_out_chosen_d1, a_y_bits_d3_copy2} : 23'd0;
     wire [10:0] b_x_bits_plus_381 = b_x_bits_d2 + 11'd381;
     wire bx_out_in_order = largest_d1 < b_x_bits_plus_381_d1;
     wire bx_out_both = not_zero_is_b_x_bits_d3 & bx_out_in_order;
@@ -7196,7 +7413,7 @@ module splat_setup (
     wire by_out_both = not_zero_is_b_y_bits_d3 & by_out_in_order;
     wire [10:0] by_out_difference = b_y_bits_plus_381_d1 - largest_d1;
     wire [10:0] by_out_chosen = b_y_bits_is_255_d3 ? b_y_bits_d3 : by_out_difference;
-    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d3;
+    wire [10:0] largest_sum_plus_127_copy2 = 11'd127 + largest_sum_d2;
     wire [10:0] delta_sum = unit_delta_bits_d1_bits + largest_sum_plus_127_copy2;
     wire zero_is_unit_delta_bits = 11'd0 == unit_delta_bits_d1_bits;
     wire not_zero_is_unit_delta_bits = ~zero_is_unit_delta_bits;
@@ -7209,7 +7426,7 @@ module splat_setup (
     wire [22:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d1_copy2} : 23'd0;
     wire [23:0] delta = {unit_delta_sign_d1, delta_chosen_copy2};
     wire [10:0] mx_sum_copy3 = 11'd127 + lowered_plus_m_exponent;
-    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy4_y[22:15]};
+    wire [10:0] mx_bits_d1_bits = {3'd0, mx_product_minus_mx_product_d1[22:15]};
     wire [10:0] mx_sum_plus_mx_bits = mx_sum_d3 + mx_bits_d1_bits;
     wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
     wire not_zero_is_mx_bits = ~zero_is_mx_bits;
@@ -7218,7 +7435,7 @@ module splat_setup (
     wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
     wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
     wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy4_y[22:15]};
     wire [10:0] mx_sum_plus_my_bits = mx_sum_d3 + my_bits_d1_bits;
     wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
     wire not_zero_is_my_bits = ~zero_is_my_bits;
@@ -7229,147 +7446,208 @@ module splat_setup (
     wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy6_y[22:15]};
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy7_y[22:15]};
     wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
     wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire [23:0] first_sum_chosen = sight_disc_out_d13 ? max_f24_ftz_unit_y : first_sum_sum_d1_copy3;
+    wire [26:0] first_sum_sum = {4'd0, to_fixed_f24_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f24_ftz_u23q8_unit_y} >> 7);
+    wire [23:0] last_sum_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_y : last_sum_sum_d1;
+    wire [26:0] last_sum_sum = first_sum_sum;
+    wire [23:0] first_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : first_difference_sum_d1_copy2;
+    wire [26:0] first_difference_sum = first_sum_sum;
+    wire [23:0] last_difference_chosen = sight_disc_out_d14 ? max_f24_ftz_unit_copy2_y : last_difference_sum_d1;
+    wire [26:0] last_difference_sum = first_sum_sum;
+    wire whole_and_first_sum_both = whole_d13 & delay_14_from_0_out;
+    wire [26:0] first_sum_sum_d14 = delay_14_from_5_out[26:0];
+    wire [26:0] first_sum_difference = first_sum_sum_d14 - first_sum_sum_d1_copy4;
+    wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + first_sum_sum_d14;
+    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
+    wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
+    wire [26:0] first_sum = whole_and_first_sum_both_d1 ? first_sum_greater_d1 : 27'd0;
+    wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd1023)) ? last_sum_shifted_d1 : 27'd1023;
+    wire [26:0] first_difference_difference_d14 = delay_14_from_5_out[53:27];
+    wire [26:0] first_difference_difference_copy2 = first_difference_difference_d14 - first_difference_sum_d1_copy3;
+    wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
+    wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd511;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + first_difference_difference_d14;
+    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
+    wire [26:0] last_difference_sum_copy4 = 27'd511 + last_difference_shifted_d1;
+    wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy4)) ? first_difference_sum_d1_copy4 : 27'd0;
+    wire [26:0] first_difference = whole_and_first_sum_both_d1 ? first_difference_greater_d1 : 27'd0;
+    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy4) < $signed(27'd1023)) ? last_difference_sum_d1_copy4 : 27'd1023;
+    wire [26:0] last_sum = whole_and_first_sum_both_d1 ? last_sum_lesser_d1 : 27'd1023;
+    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum_d1));
+    wire [26:0] last_difference = whole_and_first_sum_both_d1 ? last_difference_lesser_d1 : 27'd1023;
+    wire visible_in_order = ~($signed(last_difference) < $signed(first_difference_d1));
+    wire before_far_d12 = delay_12_from_6_out[0];
     wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
-    wire before_far_and_occupied_x = delay_12_from_6_out & occupied_x;
+    wire before_far_and_occupied_x = before_far_d12 & occupied_x;
     wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
-    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
-    wire sight_negative_out_d8 = delay_8_from_1_out[0];
-    wire not_ax_out_joined_sign = ~a_x_sign_d4;
+    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
+    wire sight_negative_out_d12 = delay_12_from_6_out[1];
+    wire visible_both = first_sum_up_to_last_sum_d1 & visible_in_order_d1;
+    wire visible_both_and_visible_both = visible_both & visible_both_d3;
+    wire visible_both_copy3 = delay_19_from_2_out & visible_both_and_visible_both;
+    wire not_ax_out_joined_sign = ~a_x_sign_d3;
     wire not_ay_out_joined_sign = ~a_y_sign_d3;
-    wire visible_unequal_copy3 = sight_negative_out_d8 ^ delay_17_from_6_out;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : 24'd0;
+    wire visible_unequal_copy3 = sight_negative_out_d12 ^ delay_20_from_6_out;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? last_y_chosen_d1_copy2 : last_x_chosen_d1_copy2) : phase[0] ? 24'd0 : first_sum_product_d1;
     wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[0] ? {1'd0, tangent1_y_d1[22:0]} : {1'd0, in_tangent1_x[22:0]};
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? first_sum_product_d1 : 24'd0) : max_f24_ftz_unit_a_choice_2;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[0] ? filter_radius_plus_center_y_d1 : filter_radius_plus_center_x_d1;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_b_choice : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y;
     wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? {1'd0, tangent2_y_d1[22:0]} : {1'd0, in_tangent2_x[22:0]};
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy7_y : first_x_chosen_d1_copy3) : max_f24_ftz_unit_b_choice_3;
     wire [23:0] max_f24_ftz_unit_copy2_a_bits = {1'd0, in_tangent1_z[22:0]};
-    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? middle_depth_d1 : min_f24_ftz_unit_y) : phase[0] ? first_y_chosen_d1_copy3 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] max_f24_ftz_unit_copy2_a_choice = phase[1] ? 24'd0 : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? min_f24_ftz_unit_copy2_y : first_y_chosen_d1_copy3) : phase[0] ? last_difference_sum_d1 : add_f24_ftz_unit_copy5_y;
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? middle_depth_plus_epsilon_d1 : middle_depth_minus_epsilon_d1;
     wire [23:0] max_f24_ftz_unit_copy2_b_bits = {1'd0, in_tangent2_z[22:0]};
+    wire [23:0] max_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? max_f24_ftz_unit_copy2_b_choice_2 : phase[0] ? middle_depth_d1 : max_f24_ftz_unit_copy2_b_bits;
     wire [23:0] lt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? near_plane : 24'h3d0000) : phase[0] ? 24'd0 : center_z_d1;
-    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy5_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] lt_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? reaches_near_sum_d1_copy2 : add_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_y;
     wire [23:0] lt_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : in_center_z) : in_center_z;
-    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy6_y : max_f24_ftz_unit_copy2_a_bits;
+    wire [23:0] lt_f24_ftz_unit_copy2_a_choice = phase[0] ? add_f24_ftz_unit_copy7_y : max_f24_ftz_unit_copy2_a_bits;
     wire [23:0] lt_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? center_y_plus_first_y_joined_d1 : 24'd0) : lt_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy5_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? spread_middle_d1 : depth_a;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : phase[0] ? center_x_d9 : mul_f24_ftz_unit_y;
+    wire [23:0] lt_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? 24'd0 : add_f24_ftz_unit_copy4_y) : phase[0] ? 24'd0 : max_f24_ftz_unit_copy2_b_bits;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h3f8000 : center_z_d1) : phase[0] ? center_x_d5 : depth_a;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000) : phase[0] ? origin_x : mul_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_b_choice = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : reaches_near_joined_d1;
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? spread_half_d2 : mul_f24_ftz_unit_y;
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[1] ? add_f24_ftz_unit_b_choice : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y;
     wire not_depth_a_sign = ~depth_a[23];
     wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? {~spread_half_d1[23], spread_half_d1[22:0]} : {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? minus_filter_radius : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? filter_radius : mul_f24_ftz_unit_copy2_y) : phase[0] ? center_x_d5 : delay_7_from_3_out;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : center_z_d2) : phase[0] ? origin_y : a_x_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d9 : epsilon_bias) : add_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[0] ? mul_f24_ftz_unit_copy5_y : {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : center_x_minus_t_x_d4) : phase[0] ? delay_5_from_0_out : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : minus_filter_radius) : phase[0] ? center_y_minus_t_y_d4 : b_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_3 : phase[0] ? scale_x_times_v_x_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? origin_x : center_z_d1) : phase[0] ? center_y_d5 : delay_7_from_3_out;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : spread_middle_d1) : phase[0] ? center_x_d9 : a_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[0] ? first_x_joined_d1_copy2 : {~reaches_near_joined_d1[23], reaches_near_joined_d1[22:0]};
     wire [23:0] minus_mul_f24_ftz_unit_copy7_y = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : minus_sqrt_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : center_y_d10) : phase[0] ? minus_h_y_d1 : minus_mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? origin_x : sqrt_f24_ftz_unit_y) : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mx_product_d1) : phase[0] ? origin_y : origin_x;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~add_f24_ftz_unit_copy2_y[23], add_f24_ftz_unit_copy2_y[22:0]} : mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? first_x_joined_d1_copy2 : center_x_minus_t_x_d4) : add_f24_ftz_unit_copy4_b_choice;
-    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : minus_mx_product_d1) : phase[0] ? first_y_joined_d1_copy2 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[0] ? center_y_d1 : center_x_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_a_choice : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy5_a_choice_3 = phase[1] ? my_product_d1 : phase[0] ? filter_radius : a_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? add_f24_ftz_unit_copy5_b_choice : phase[0] ? add_f24_ftz_unit_copy2_y : h_y_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? minus_my_product_d1 : phase[0] ? center_y_d9 : minus_mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? add_f24_ftz_unit_copy5_a_choice : unit_delta_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? unit_delta_product_d1 : phase[0] ? unit_delta_product_d1 : b_y_joined_times_r_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : first_x_joined_d1) : minus_unit_delta_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? minus_unit_delta_product_d1 : minus_mul_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? minus_unit_delta_product_d1 : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_copy7_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : spread_half_d2) : phase[0] ? minus_filter_radius : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : minus_filter_radius) : phase[0] ? filter_radius : b_x_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_minus_t_y_d4 : epsilon_bias) : phase[0] ? minus_mul_f24_ftz_unit_copy7_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : center_y_d10) : phase[0] ? center_x_d9 : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? center_y_d1 : center_x_minus_t_x_d4) : phase[0] ? root_of_first_sum_sum_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] add_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : my_product_d1) : phase[0] ? origin_y : a_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice = phase[0] ? {~first_y_joined_d1[23], first_y_joined_d1[22:0]} : minus_sqrt_f24_ftz_unit_y;
+    wire [23:0] t_x_plus_t_y_d6 = delay_6_from_1_out[24:1];
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_2 = phase[0] ? {~t_x_plus_t_y_d6[23], t_x_plus_t_y_d6[22:0]} : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy4_b_choice : add_f24_ftz_unit_copy4_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_4 = phase[0] ? mul_f24_ftz_unit_copy5_y : {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy4_b_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : minus_my_product_d1) : add_f24_ftz_unit_copy4_b_choice_4;
+    wire [23:0] t_x_minus_t_y_d7 = delay_7_from_4_out[48:25];
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? center_y_d1 : sqrt_f24_ftz_unit_y) : phase[0] ? t_x_minus_t_y_d7 : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : t_x_d1) : phase[0] ? center_y_minus_t_y_d4 : b_y_joined_times_r_d1;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? first_y_joined_d1 : center_x_minus_t_x_d4) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy8_y : t_y_d1) : phase[0] ? minus_h_y_d1 : minus_mul_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? origin_y : center_x_d1) : phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] add_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : middle_depth_d3) : phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice = phase[0] ? first_y_joined_d1_copy2 : {~first_x_joined_d1[23], first_x_joined_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? {~t_x_minus_t_y_d7[23], t_x_minus_t_y_d7[22:0]} : f_times_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_4 = phase[0] ? add_f24_ftz_unit_copy4_y : {~epsilon_d1[23], epsilon_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy6_b_choice_5 = phase[1] ? add_f24_ftz_unit_copy6_b_choice_4 : phase[0] ? center_y_d9 : first_sum_sum_d1_copy2;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : center_x_d1) : t_x_plus_t_y_d6;
+    wire [23:0] add_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : middle_depth_d3) : phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy8_y;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : first_x_joined_d1) : root_of_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_2 = phase[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]} : {~first_sum_sum_d1_copy2[23], first_sum_sum_d1_copy2[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy7_b_choice_3 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : epsilon_d1) : add_f24_ftz_unit_copy7_b_choice_2;
     wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? lowered_chosen_d1 : b_depth_d3) : b_depth_d3;
-    wire [23:0] reaches_near_sum_d6 = delay_5_from_5_out[23:0];
-    wire [23:0] f_chosen = whole_d1 ? e_d1 : reaches_near_sum_d6;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? q_d4 : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? f_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : f_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : depth_b) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_copy2_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] f_chosen = whole_d1 ? e_d1 : delay_5_from_5_out;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? scale_x : r_d1) : phase[0] ? alpha_d3 : alpha_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : q_d5;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : depth_b) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? before_far_sum_d1 : f_d1;
     wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? scale_x : b_depth_d7) : phase[0] ? beta_d3 : beta_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy4 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_y : half_depth_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy3_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : q_times_f_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? first_y_chosen_d9 : epsilon_scale;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? scale_x : delay_7_from_4_out) : phase[0] ? mul_f24_ftz_unit_copy2_y : v_x_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? unit_delta_joined_d1_copy4 : a_x_squared_plus_b_x_squared_d2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy3_y : a_x_joined_d2;
-    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy2 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? unit_delta_joined_d1_copy3 : scale_x;
-    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? b_y_joined_d2 : b_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy3 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1_copy2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? unit_delta_joined_d1_copy4 : sqrt_f24_ftz_unit_y;
+    wire [23:0] abs_b_depth_d7 = delay_7_from_4_out[23:0];
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : abs_b_depth_d7) : phase[0] ? mul_f24_ftz_unit_y : v_x_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1_copy2 : mul_f24_ftz_unit_y) : phase[0] ? unit_delta_joined_d1_copy2 : half_depth_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? t_x_sum_d2 : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? unit_delta_joined_d1_copy3 : epsilon_scale;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : t_x_d1) : phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? filter_radius : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? a_x_squared_plus_b_x_squared_d2 : t_x_d1) : mul_f24_ftz_unit_copy2_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy3_b_choice_2 : phase[0] ? 24'h3fb600 : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy5_a_choice = phase[1] ? (phase[0] ? scale_y : t_y_d1) : phase[0] ? alpha_d3 : b_x_joined_d2;
     wire [23:0] mul_f24_ftz_unit_copy5_a_choice_2 = phase[1] ? (phase[0] ? scale_y : scale_x) : phase[0] ? delta_d1 : f_times_scale_x_d1;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : phase[0] ? r_d1 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : a_y_d1) : phase[0] ? alpha_d3 : v_y_chosen_d3;
-    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? (phase[0] ? unit_delta_joined_d1 : mul_f24_ftz_unit_y) : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : a_y_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice = phase[0] ? mul_f24_ftz_unit_copy5_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : t_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy5_b_choice_3 = phase[1] ? (phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? recip_f24_ftz_unit_y : delay_9_from_0_out;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice = phase[1] ? (phase[0] ? scale_y : t_x_d1) : phase[0] ? beta_d3 : v_y_chosen_d3;
+    wire [23:0] mul_f24_ftz_unit_copy6_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? delta_times_one_over_b_depth_d1 : f_d1;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice = phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : t_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
     wire [23:0] sight_near_out_joined = {not_depth_a_sign, depth_a[22:0]};
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_2 = phase[0] ? sight_near_out_joined : a_y_squared_plus_b_y_squared_d2;
-    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? (phase[0] ? mx_joined_d1 : mul_f24_ftz_unit_copy6_y) : mul_f24_ftz_unit_copy6_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_y_d1) : phase[0] ? beta_d3 : a_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy6_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? sight_near_out_joined : scale_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : a_x_d1) : phase[0] ? mul_f24_ftz_unit_copy5_y : a_y_joined_d2;
     wire [23:0] one_minus_depth_a_d9 = delay_9_from_1_out[23:0];
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : b_y_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy6_y : delta_times_one_over_b_depth_d1;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? q_d2 : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? before_far_joined_d1 : phase[0] ? before_far_joined_d1 : 24'h3f8000;
-    wire [23:0] le_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] delay_7_from_4_data_bits = {1'd0, mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? center_x_minus_filter_radius_d1 : delay_7_from_4_data_bits;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? (phase[0] ? last_y_chosen_d1_copy3 : last_x_chosen_d1_copy3) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : last_y_greater_d1;
-    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = phase[1] ? last_y_greater_d1 : phase[0] ? first_y_greater_d1 : max_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_u24q24_unit_a_choice = phase[1] ? (phase[0] ? max_f24_ftz_unit_copy2_y : depth_high_out_greater_d1) : phase[0] ? depth_high_out_greater_d1 : max_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? one_minus_depth_a_d9 : f_times_scale_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice = phase[1] ? (phase[0] ? t_y_sum_d2 : a_y_d1) : mul_f24_ftz_unit_copy5_b_choice;
+    wire [23:0] first_y_chosen_d9 = delay_9_from_1_out[47:24];
+    wire [23:0] mul_f24_ftz_unit_copy7_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? delta_times_one_over_b_depth_d1 : first_y_chosen_d9;
+    wire [23:0] mul_f24_ftz_unit_copy8_a_choice = phase[1] ? (phase[0] ? recip_f24_ftz_unit_y : b_x_d1) : phase[0] ? mul_f24_ftz_unit_copy6_y : b_y_joined_d2;
+    wire [23:0] mul_f24_ftz_unit_copy8_b_choice = phase[1] ? (phase[0] ? a_y_squared_plus_b_y_squared_d2 : b_y_d1) : mul_f24_ftz_unit_copy6_b_choice;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : q_d2) : phase[0] ? q_d2 : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : first_difference_sum_d1) : first_difference_sum_d1;
+    wire [23:0] le_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : add_f24_ftz_unit_copy2_y;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'h470000 : first_x_chosen_d1_copy2) : 24'h3f8000;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? 24'h45fff8 : phase[0] ? first_y_chosen_d1_copy2 : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? first_sum_chosen_d1 : center_x_minus_filter_radius_d1) : {1'd0, mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? last_x_chosen_d1_copy3 : phase[0] ? add_f24_ftz_unit_copy3_y : last_sum_chosen_d1;
+    wire [23:0] min_f24_ftz_unit_copy2_b_choice = phase[1] ? last_difference_chosen_d1 : first_difference_chosen_d1;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] to_fixed_f24_ftz_u21q8_unit_a_choice_2 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = phase[1] ? center_y_d1_copy2 : phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y;
     wire [23:0] first_x_chosen_copy5 = lt_f24_ftz_unit_y ? center_x_minus_first_x_joined_d1 : center_x_plus_first_x_joined_d1;
+    wire [23:0] ay_out = delay_9_from_6_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
+    wire [23:0] ax_out = delay_9_from_6_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
     wire last_x_chosen = scale_x[23] ? lt_f24_ftz_unit_y : lt_f24_ftz_unit_copy2_y;
     wire first_x_chosen_copy7 = scale_x[23] ? lt_f24_ftz_unit_copy2_y : lt_f24_ftz_unit_y;
-    wire turned_d10 = delay_9_from_6_out[0];
-    wire [23:0] ay_out = turned_d10 ? ay_out_joined_d1_copy3 : ay_out_joined_d1_copy2;
-    wire [23:0] ax_out = turned_d10 ? ax_out_joined_d1_copy3 : ax_out_joined_d1_copy2;
-    wire turned_and_lowered_chosen_sign_d9 = delay_9_from_6_out[97];
-    wire sight_negative_out = unit_delta_sign_d1 ^ turned_and_lowered_chosen_sign_d9;
-    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
-    wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
+    wire center_x_bits_below_140 = {3'd0, add_f24_ftz_unit_y[22:15]} < 11'd140;
+    wire center_y_bits_below_140 = my_bits_d1_bits < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
     wire [23:0] first_y_chosen_copy5 = lt_f24_ftz_unit_copy2_y ? center_y_minus_first_y_joined_d1 : center_y_plus_first_y_joined_d1;
     wire last_y_chosen = scale_y[23] ? first_y_in_order_d1_copy3 : lt_f24_ftz_unit_copy2_y;
     wire first_y_chosen_copy7 = scale_y[23] ? lt_f24_ftz_unit_copy2_y : first_y_in_order_d1_copy3;
     wire reaches_near = beyond_near_d2 | lt_f24_ftz_unit_y;
-    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
+    wire all_before_far = whole_d8 & le_f24_ftz_unit_y;
     wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
     wire [22:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? {my_chosen_d1, my_bits_d1_copy2} : 23'd0;
     wire [23:0] my = {my_bits_d1_copy3, my_chosen_copy2};
     wire mx_both_or_mx_bits_is_255 = mx_both_d1_copy3 | mx_bits_is_255_d1;
-    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_bits_d1_copy2} : 23'd0;
-    wire [23:0] mx = {mx_bits_d1_copy3, mx_chosen_copy6};
+    wire [22:0] mx_chosen_copy6 = mx_both_or_mx_bits_is_255 ? {mx_chosen_d1_copy3, mx_product_minus_mx_product_d1[14:0]} : 23'd0;
+    wire [23:0] mx = {mx_product_minus_mx_product_d1[23], mx_chosen_copy6};
     wire b_y_bits_is_255_or_by_out_both = b_y_bits_is_255_d3 | by_out_both_d1;
-    wire [22:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? by_out_joined_d1 : 23'd0;
+    wire [22:0] by_out_chosen_copy2 = b_y_bits_is_255_or_by_out_both ? {by_out_chosen_d1, b_y_bits_d3_copy2} : 23'd0;
     wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d3 | bx_out_both_d1;
-    wire [22:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? bx_out_joined_d1 : 23'd0;
+    wire [22:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d3_copy2} : 23'd0;
+    wire [26:0] first_difference_difference_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
+    wire [26:0] first_difference_difference_bits_2 = {{5{to_fixed_f24_ftz_s22q8_unit_y[21]}}, to_fixed_f24_ftz_s22q8_unit_y};
+    wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
+    wire [26:0] first_sum_sum_copy2 = first_difference_difference_bits + first_difference_difference_bits_2;
+    wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[23];
     wire before_far_both = not_turned_d5 & le_f24_ftz_unit_y;
     wire sight_disc_out = beyond_near_and_not_turned_d5 & before_far_both;
+    wire sight_negative_out = add_f24_ftz_unit_copy7_y[23] ^ delay_8_from_6_out;
     wire before_far = before_far_both | before_far_in_order_d2;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
     wire swapped_and_turned = swapped_d1 & turned;
     wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
-    wire all_before_far = beyond_near;
     wire [23:0] half_depth_chosen = beyond_near_and_not_turned_d4 ? min_f24_ftz_unit_y : 24'h3f8000;
+    wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
+    wire edge_on = edge_on_lesser_below_32_d2 | edge_on_either;
 
     assign in_ready = load_0;
     assign {
@@ -7378,18 +7656,19 @@ module splat_setup (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference
     } = queue_out_data;
 
-    stream_skid_w598 queue (
+    stream_skid_w638 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d19, center_x_d13, center_y_d13, ax_out_d8, bx_out_d9, ay_out_d8, by_out_d9, delta_out, mx_d9,
-            my_d9, sight_negative_out_d9, sight_near_out, sight_far_out, turned_d18, sight_disc_out_d13,
-            depth_out_d4, depth_low_out_d1, to_fixed_f24_ftz_u24q24_unit_y, attribute_0_d19, attribute_1_d19,
-            attribute_2_d19, attribute_3_d19, attribute_4_d19, attribute_5_d19, attribute_6_d19, attribute_7_d19,
-            attribute_8_d19, attribute_9_d19, attribute_10_d19, attribute_11_d19, attribute_12_d19,
-            cardinal_0_d19, first_x, last_x_d1, first_y, last_y_d1
+            end_d21, center_x_d15, center_y_d15, ax_out_d11, bx_out_d12, ay_out_d11, by_out_d12, delta_out,
+            mx_d12, my_d12, sight_negative_out_d13, sight_near_out, sight_far_out, turned_d21, sight_disc_out_d16,
+            depth_out_d6, depth_low_out_d3, depth_high_out_d3, attribute_0_d21, attribute_1_d21, attribute_2_d21,
+            attribute_3_d21, attribute_4_d21, attribute_5_d21, attribute_6_d21, attribute_7_d21, attribute_8_d21,
+            attribute_9_d21, attribute_10_d21, attribute_11_d21, attribute_12_d21, cardinal_0_d21, first_x_d3,
+            last_x_d4, first_y_d3, last_y_d3, first_sum_d1[9:0], last_sum_out_d1, first_difference_d1[9:0],
+            last_difference_out_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7444,6 +7723,11 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy6_y)
     );
 
+    float_add_s6_f24ftz add_f24_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_a), .b(add_f24_ftz_unit_copy7_b),
+        .y(add_f24_ftz_unit_copy7_y)
+    );
+
     float_recip_s20_f24ftz recip_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
@@ -7483,6 +7767,11 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy8 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_a), .b(mul_f24_ftz_unit_copy8_b),
+        .y(mul_f24_ftz_unit_copy8_y)
+    );
+
     float_sqrt_s18_f24ftz sqrt_f24_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
@@ -7497,9 +7786,24 @@ module splat_setup (
         .y(min_f24_ftz_unit_y)
     );
 
+    float_min_s2_f24ftz min_f24_ftz_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_copy2_a), .b(min_f24_ftz_unit_copy2_b),
+        .y(min_f24_ftz_unit_copy2_y)
+    );
+
     float_to_fixed_s3_f24ftz_w21_f8_unsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_f24_ftz_u23q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u23q8_unit_a),
+        .y(to_fixed_f24_ftz_u23q8_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_f24_ftz_s22q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s22q8_unit_a),
+        .y(to_fixed_f24_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f24ftz_w24_f24_unsigned to_fixed_f24_ftz_u24q24_unit (
@@ -7519,28 +7823,33 @@ module splat_setup (
             load_6 <= 1'd0;
             load_7 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
             delay_11_from_0_pointer <= 4'd0;
-            delay_19_from_0_pointer <= 5'd0;
+            delay_14_from_0_pointer <= 4'd0;
+            delay_21_from_0_pointer <= 5'd0;
             delay_6_from_1_pointer <= 3'd0;
-            delay_8_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_11_from_2_pointer <= 4'd0;
-            delay_16_from_2_pointer <= 4'd0;
+            delay_19_from_2_pointer <= 5'd0;
             delay_7_from_3_pointer <= 3'd0;
             delay_5_from_4_pointer <= 2'd0;
             delay_7_from_4_pointer <= 3'd0;
+            delay_11_from_4_pointer <= 4'd0;
+            delay_12_from_4_pointer <= 4'd0;
             delay_5_from_5_pointer <= 2'd0;
             delay_7_from_5_pointer <= 3'd0;
+            delay_8_from_5_pointer <= 3'd0;
+            delay_14_from_5_pointer <= 4'd0;
             delay_8_from_6_pointer <= 3'd0;
             delay_9_from_6_pointer <= 3'd0;
             delay_11_from_6_pointer <= 4'd0;
             delay_12_from_6_pointer <= 4'd0;
-            delay_17_from_6_pointer <= 4'd0;
-            delay_5_from_7_pointer <= 2'd0;
-            delay_7_from_7_pointer <= 3'd0;
+            delay_20_from_6_pointer <= 5'd0;
             delay_9_from_7_pointer <= 3'd0;
-            in_flight <= 19'd0;
+            delay_10_from_7_pointer <= 4'd0;
+            delay_13_from_7_pointer <= 4'd0;
+            in_flight <= 21'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -7553,19 +7862,20 @@ module splat_setup (
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
-                in_flight <= {in_flight[17:0], in_valid};
+                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
+                in_flight <= {in_flight[19:0], in_valid};
             end
             if (load_1) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
-                delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
             end
             if (load_2) begin
                 delay_11_from_2_pointer <= (delay_11_from_2_pointer == 4'd9) ? (delay_11_from_2_pointer - 4'd9) : (delay_11_from_2_pointer + 4'd1);
-                delay_16_from_2_pointer <= (delay_16_from_2_pointer == 4'd14) ? (delay_16_from_2_pointer - 4'd14) : (delay_16_from_2_pointer + 4'd1);
+                delay_19_from_2_pointer <= (delay_19_from_2_pointer == 5'd17) ? (delay_19_from_2_pointer - 5'd17) : (delay_19_from_2_pointer + 5'd1);
             end
             if (load_3) begin
                 delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
@@ -7573,22 +7883,26 @@ module splat_setup (
             if (load_4) begin
                 delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
                 delay_7_from_4_pointer <= (delay_7_from_4_pointer == 3'd5) ? (delay_7_from_4_pointer - 3'd5) : (delay_7_from_4_pointer + 3'd1);
+                delay_11_from_4_pointer <= (delay_11_from_4_pointer == 4'd9) ? (delay_11_from_4_pointer - 4'd9) : (delay_11_from_4_pointer + 4'd1);
+                delay_12_from_4_pointer <= (delay_12_from_4_pointer == 4'd10) ? (delay_12_from_4_pointer - 4'd10) : (delay_12_from_4_pointer + 4'd1);
             end
             if (load_5) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
                 delay_7_from_5_pointer <= (delay_7_from_5_pointer == 3'd5) ? (delay_7_from_5_pointer - 3'd5) : (delay_7_from_5_pointer + 3'd1);
+                delay_8_from_5_pointer <= (delay_8_from_5_pointer == 3'd6) ? (delay_8_from_5_pointer - 3'd6) : (delay_8_from_5_pointer + 3'd1);
+                delay_14_from_5_pointer <= (delay_14_from_5_pointer == 4'd12) ? (delay_14_from_5_pointer - 4'd12) : (delay_14_from_5_pointer + 4'd1);
             end
             if (load_6) begin
                 delay_8_from_6_pointer <= (delay_8_from_6_pointer == 3'd6) ? (delay_8_from_6_pointer - 3'd6) : (delay_8_from_6_pointer + 3'd1);
                 delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
                 delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
                 delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
-                delay_17_from_6_pointer <= (delay_17_from_6_pointer == 4'd15) ? (delay_17_from_6_pointer - 4'd15) : (delay_17_from_6_pointer + 4'd1);
+                delay_20_from_6_pointer <= (delay_20_from_6_pointer == 5'd18) ? (delay_20_from_6_pointer - 5'd18) : (delay_20_from_6_pointer + 5'd1);
             end
             if (load_7) begin
-                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
-                delay_7_from_7_pointer <= (delay_7_from_7_pointer == 3'd5) ? (delay_7_from_7_pointer - 3'd5) : (delay_7_from_7_pointer + 3'd1);
                 delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
+                delay_10_from_7_pointer <= (delay_10_from_7_pointer == 4'd8) ? (delay_10_from_7_pointer - 4'd8) : (delay_10_from_7_pointer + 4'd1);
+                delay_13_from_7_pointer <= (delay_13_from_7_pointer == 4'd11) ? (delay_13_from_7_pointer - 4'd11) : (delay_13_from_7_pointer + 4'd1);
             end
         end
     end
@@ -7597,7 +7911,6 @@ module splat_setup (
             center_x_d1 <= in_center_x;
             center_y_d1 <= in_center_y;
             center_z_d1 <= in_center_z;
-            center_z_d2 <= center_z_d1;
             tangent1_x_d1 <= in_tangent1_x;
             tangent1_y_d1 <= in_tangent1_y;
             tangent1_z_d1 <= in_tangent1_z;
@@ -7607,50 +7920,56 @@ module splat_setup (
             turned_greater_d1 <= turned_greater;
             center_z_bits_plus_4_d1 <= center_z_bits_plus_4;
             lowered_greater_d1_copy2 <= lowered_greater_copy2;
-            before_far_in_order_d1 <= le_f24_ftz_unit_y;
-            before_far_in_order_d2 <= before_far_in_order_d1;
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
-            center_y_d6 <= delay_5_from_0_out;
+            scale_x_times_v_x_d1 <= mul_f24_ftz_unit_copy5_y;
+            center_x_d6 <= center_x_d5;
+            center_x_d7 <= center_x_d6;
+            center_x_d8 <= center_x_d7;
+            center_x_d9 <= center_x_d8;
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy3_y;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy4_y;
+            center_y_d2 <= center_y_d1_copy2;
+            center_y_d3 <= center_y_d2;
+            center_y_d4 <= center_y_d3;
+            center_y_d5 <= center_y_d4;
+            center_y_d6 <= center_y_d5;
             center_y_d7 <= center_y_d6;
             center_y_d8 <= center_y_d7;
             center_y_d9 <= center_y_d8;
             center_y_d10 <= center_y_d9;
-            center_y_d11 <= center_y_d10;
-            center_y_d12 <= center_y_d11;
-            center_y_d13 <= center_y_d12;
-            first_y_chosen_d1 <= first_y_chosen_copy8;
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            first_y_chosen_d3 <= first_y_chosen_d2;
-            last_y_chosen_d1 <= last_y_chosen_copy2;
-            last_y_chosen_d2 <= last_y_chosen_d1;
-            last_y_chosen_d3 <= last_y_chosen_d2;
             first_y_chosen_d1_copy2 <= first_y_chosen_copy9;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy5_y;
-            first_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy6_y;
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
+            first_y_d3 <= first_y_d2;
             last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            last_y_d3 <= last_y_d2;
             mx_both_d1 <= mx_both;
             mx_chosen_d1 <= mx_chosen[7:0];
             mx_both_d1_copy2 <= mx_both_copy2;
             mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            mx_product_minus_mx_product_d1 <= add_f24_ftz_unit_copy7_y;
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
             largest_sum_d1_copy2 <= largest_sum_copy3;
             largest_sum_d2_copy2 <= largest_sum_d1_copy2;
-            largest_sum_d3_copy2 <= largest_sum_d2_copy2;
-            delta_sum_d1 <= delta_sum;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy6_y[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_copy6_y[23];
+            largest_sum_d3 <= largest_sum_d2_copy2;
             mx_sum_d1_copy3 <= mx_sum_copy3;
             mx_sum_d2 <= mx_sum_d1_copy3;
             mx_sum_d3 <= mx_sum_d2;
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            unit_delta_product_bits_d1 <= unit_delta_product_d1[22:15];
-            edge_on_in_order_d1 <= edge_on_in_order;
-            visible_both_d1 <= visible_both;
+            first_difference_sum_d1_copy3 <= first_difference_sum;
+            last_difference_chosen_d1 <= last_difference_chosen;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+            visible_both_d3 <= visible_both_d2;
+            visible_unequal_d1 <= visible_unequal_copy3;
         end
         if (load_3) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
@@ -7678,12 +7997,32 @@ module splat_setup (
             center_depth_d9 <= center_depth_d8;
             spread_middle_d1 <= add_f24_ftz_unit_copy2_y;
             spread_middle_d2 <= spread_middle_d1;
-            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy5_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy4_y;
-            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy5_y;
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy4_y;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            ax_out_both_d1 <= ax_out_both;
+            ax_out_chosen_d1 <= ax_out_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            ay_out_both_d1 <= ay_out_both;
+            ay_out_chosen_d1 <= ay_out_chosen[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            bx_out_both_d1 <= bx_out_both;
+            bx_out_chosen_d1 <= bx_out_chosen[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            by_out_both_d1 <= by_out_both;
+            by_out_chosen_d1 <= by_out_chosen[7:0];
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            mx_both_d1_copy3 <= mx_both_copy3;
+            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
+            my_both_d1 <= my_both;
+            my_chosen_d1 <= my_chosen[7:0];
+            first_sum_sum_d1 <= add_f24_ftz_unit_copy5_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy7_y;
+            first_difference_sum_d1_copy4 <= first_difference_sum_copy3;
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            last_sum_out_d1 <= last_sum[9:0];
         end
         if (load_4) begin
             first_x_both_d1 <= first_x_both_copy3;
@@ -7710,17 +8049,27 @@ module splat_setup (
             spread_half_d1 <= mul_f24_ftz_unit_copy3_y;
             spread_half_d2 <= spread_half_d1;
             spread_half_d3 <= spread_half_d2;
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
             center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
             center_x_minus_t_x_d3 <= center_x_minus_t_x_d2;
             center_x_minus_t_x_d4 <= center_x_minus_t_x_d3;
             last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy2_y;
             center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
             center_y_minus_t_y_d3 <= center_y_minus_t_y_d2;
             center_y_minus_t_y_d4 <= center_y_minus_t_y_d3;
             first_y_chosen_d1_copy3 <= first_y_chosen_copy10;
-            largest_d1 <= largest;
+            ax_out_joined_d1 <= {a_x_sign_d3, ax_out_chosen_copy2};
+            ay_out_joined_d1 <= {a_y_sign_d3, ay_out_chosen_copy2};
+            delta_d1 <= delta;
+            last_sum_sum_d1 <= add_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1_copy2 <= add_f24_ftz_unit_copy5_y;
+            last_difference_sum_d1 <= add_f24_ftz_unit_copy6_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_difference_greater_d1 <= first_difference_greater;
+            ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
+            ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
         end
         if (load_5) begin
             first_x_joined_d1 <= {first_x_greater_sign_d1, first_x_chosen_copy4};
@@ -7745,19 +8094,25 @@ module splat_setup (
             beyond_near_and_not_turned_d4 <= beyond_near_and_not_turned_d3;
             beyond_near_and_not_turned_d5 <= beyond_near_and_not_turned_d4;
             reaches_near_sum_d1_copy2 <= add_f24_ftz_unit_y;
-            q_times_f_d1 <= mul_f24_ftz_unit_y;
+            before_far_sum_d1 <= add_f24_ftz_unit_copy2_y;
             middle_depth_d1 <= middle_depth;
             middle_depth_d2 <= middle_depth_d1;
+            middle_depth_d3 <= middle_depth_d2;
             half_depth_d1 <= half_depth;
-            t_x_d1 <= mul_f24_ftz_unit_copy4_y;
-            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            epsilon_d1 <= add_f24_ftz_unit_copy3_y;
+            a_x_d1 <= mul_f24_ftz_unit_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            t_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            center_x_minus_first_x_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            center_x_plus_first_x_joined_d1 <= add_f24_ftz_unit_copy7_y;
             first_x_chosen_d1_copy2 <= first_x_chosen_copy9;
             last_x_chosen_d1_copy2 <= last_x_chosen_copy3;
             last_x_lesser_d1 <= last_x_lesser;
             a_y_d1 <= mul_f24_ftz_unit_copy5_y;
             b_y_d1 <= mul_f24_ftz_unit_copy6_y;
             t_y_d1 <= mul_f24_ftz_unit_copy7_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy8_y;
             first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
             a_x_bits_d1 <= a_x_bits_d1_bits;
             a_x_bits_d2 <= a_x_bits_d1;
@@ -7777,56 +8132,56 @@ module splat_setup (
             not_zero_is_a_x_bits_d1 <= not_zero_is_a_x_bits;
             not_zero_is_a_x_bits_d2 <= not_zero_is_a_x_bits_d1;
             not_zero_is_a_x_bits_d3 <= not_zero_is_a_x_bits_d2;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
             a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
             a_x_bits_d3_copy2 <= a_x_bits_d2_copy2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
             a_x_sign_d2 <= a_x_sign_d1;
             a_x_sign_d3 <= a_x_sign_d2;
-            a_x_sign_d4 <= a_x_sign_d3;
             a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
             not_zero_is_a_y_bits_d1 <= not_zero_is_a_y_bits;
             not_zero_is_a_y_bits_d2 <= not_zero_is_a_y_bits_d1;
             not_zero_is_a_y_bits_d3 <= not_zero_is_a_y_bits_d2;
+            a_y_bits_is_255_d1 <= a_y_bits_is_255;
+            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
+            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
             a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy5_y[14:0];
             a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
             a_y_bits_d3_copy2 <= a_y_bits_d2_copy2;
+            a_y_sign_d1 <= mul_f24_ftz_unit_copy5_y[23];
+            a_y_sign_d2 <= a_y_sign_d1;
+            a_y_sign_d3 <= a_y_sign_d2;
             b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
             not_zero_is_b_x_bits_d1 <= not_zero_is_b_x_bits;
             not_zero_is_b_x_bits_d2 <= not_zero_is_b_x_bits_d1;
             not_zero_is_b_x_bits_d3 <= not_zero_is_b_x_bits_d2;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
             b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
             b_x_bits_d3_copy2 <= b_x_bits_d2_copy2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
             b_x_sign_d2 <= b_x_sign_d1;
             b_x_sign_d3 <= b_x_sign_d2;
-            b_x_sign_d4 <= b_x_sign_d3;
             b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
             not_zero_is_b_y_bits_d1 <= not_zero_is_b_y_bits;
             not_zero_is_b_y_bits_d2 <= not_zero_is_b_y_bits_d1;
             not_zero_is_b_y_bits_d3 <= not_zero_is_b_y_bits_d2;
+            b_y_bits_is_255_d1 <= b_y_bits_is_255;
+            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
+            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
             b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy6_y[14:0];
             b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
             b_y_bits_d3_copy2 <= b_y_bits_d2_copy2;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            ax_out_both_d1 <= ax_out_both;
-            ax_out_joined_d1 <= {ax_out_chosen[7:0], a_x_bits_d3_copy2};
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            ay_out_both_d1 <= ay_out_both;
-            ay_out_joined_d1 <= {ay_out_chosen[7:0], a_y_bits_d3_copy2};
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            bx_out_both_d1 <= bx_out_both;
-            bx_out_joined_d1 <= {bx_out_chosen[7:0], b_x_bits_d3_copy2};
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            by_out_both_d1 <= by_out_both;
-            by_out_joined_d1 <= {by_out_chosen[7:0], b_y_bits_d3_copy2};
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            mx_both_d1_copy3 <= mx_both_copy3;
-            mx_chosen_d1_copy3 <= mx_chosen_copy5[7:0];
-            my_both_d1 <= my_both;
-            my_chosen_d1 <= my_chosen[7:0];
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy6_y[23];
+            b_y_sign_d2 <= b_y_sign_d1;
+            b_y_sign_d3 <= b_y_sign_d2;
+            first_difference_d1 <= first_difference;
+            last_difference_lesser_d1 <= last_difference_lesser;
         end
         if (load_6) begin
             first_y_joined_d1 <= {first_y_greater_sign_d1, first_y_chosen_copy4};
@@ -7869,9 +8224,11 @@ module splat_setup (
             beta_joined_d1 <= {lowered_chosen_sign_d1_copy6, beta_chosen_copy2};
             beta_joined_d2 <= beta_joined_d1;
             e_d1 <= add_f24_ftz_unit_y;
-            sight_disc_out_d12 <= delay_11_from_6_out;
+            sight_disc_out_d12 <= sight_disc_out_d11;
             sight_disc_out_d13 <= sight_disc_out_d12;
-            h_x_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            sight_disc_out_d14 <= sight_disc_out_d13;
+            sight_disc_out_d15 <= sight_disc_out_d14;
+            sight_disc_out_d16 <= sight_disc_out_d15;
             f_times_scale_x_d1 <= mul_f24_ftz_unit_copy4_y;
             first_x_joined_d1_copy2 <= {mul_f24_ftz_unit_copy5_y[23], first_x_chosen_copy6};
             first_x_chosen_d1 <= first_x_chosen_copy8;
@@ -7881,56 +8238,57 @@ module splat_setup (
             last_x_chosen_d2 <= last_x_chosen_d1;
             last_x_chosen_d3 <= last_x_chosen_d2;
             last_x_d1 <= last_x;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy6_y;
-            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
-            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy6_y;
+            last_x_d2 <= last_x_d1;
+            last_x_d3 <= last_x_d2;
+            last_x_d4 <= last_x_d3;
+            center_y_minus_first_y_joined_d1 <= add_f24_ftz_unit_copy4_y;
+            center_y_plus_first_y_joined_d1 <= add_f24_ftz_unit_copy5_y;
+            f_times_scale_y_d1 <= mul_f24_ftz_unit_copy6_y;
+            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy7_y[23], first_y_chosen_copy6};
+            first_y_chosen_d1 <= first_y_chosen_copy8;
+            first_y_chosen_d2 <= first_y_chosen_d1;
+            first_y_chosen_d3 <= first_y_chosen_d2;
+            first_y_chosen_d4 <= first_y_chosen_d3;
+            last_y_chosen_d1 <= last_y_chosen_copy2;
+            last_y_chosen_d2 <= last_y_chosen_d1;
+            last_y_chosen_d3 <= last_y_chosen_d2;
             last_y_chosen_d1_copy2 <= last_y_chosen_copy3;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
             unit_delta_both_d1 <= unit_delta_both;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_is_255_d3 <= a_x_bits_is_255_d2;
             unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
             unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
-            a_y_bits_is_255_d1 <= a_y_bits_is_255;
-            a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_is_255_d3 <= a_y_bits_is_255_d2;
             unit_delta_chosen_d1_copy2 <= unit_delta_chosen_copy3[7:0];
-            a_y_sign_d1 <= a_y_d1[23];
-            a_y_sign_d2 <= a_y_sign_d1;
-            a_y_sign_d3 <= a_y_sign_d2;
             unit_delta_both_d1_copy3 <= unit_delta_both_copy3;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_is_255_d3 <= b_x_bits_is_255_d2;
             unit_delta_chosen_d1_copy3 <= unit_delta_chosen_copy5[7:0];
             unit_delta_both_d1_copy4 <= unit_delta_both_copy4;
-            b_y_bits_is_255_d1 <= b_y_bits_is_255;
-            b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_is_255_d3 <= b_y_bits_is_255_d2;
             unit_delta_chosen_d1_copy4 <= unit_delta_chosen_copy7[7:0];
-            b_y_sign_d1 <= b_y_d1[23];
-            b_y_sign_d2 <= b_y_sign_d1;
-            b_y_sign_d3 <= b_y_sign_d2;
             a_exponent_plus_beta_bits_d1 <= a_exponent_plus_beta_bits;
             b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
             mx_sum_d1 <= mx_sum;
             mx_sum_d1_copy2 <= mx_sum_copy2;
             largest_sum_d1 <= largest_sum;
             largest_sum_d2 <= largest_sum_d1;
-            largest_sum_d3 <= largest_sum_d2;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
             largest_greater_d1 <= largest_greater;
-            ax_out_joined_d1_copy2 <= {a_x_sign_d4, ax_out_chosen_copy2};
-            ay_out_joined_d1_copy2 <= {a_y_sign_d3, ay_out_chosen_copy2};
-            delta_d1 <= delta;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            delta_sum_d1 <= delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy7_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_copy7_y[23];
             edge_on_lesser_d1 <= edge_on_lesser;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy8_y;
+            first_sum_chosen_d1 <= first_sum_chosen;
+            first_sum_sum_d1_copy4 <= first_sum_sum;
+            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
+            visible_in_order_d1 <= visible_in_order;
+            last_difference_out_d1 <= last_difference[9:0];
             before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            ax_out_joined_d1_copy3 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
-            ay_out_joined_d1_copy3 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
-            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-            depth_out_d4 <= depth_out_d3;
+            sight_negative_out_d13 <= sight_negative_out_d12;
         end
         if (load_7) begin
             lowered_greater_d1 <= lowered_greater;
@@ -7951,28 +8309,31 @@ module splat_setup (
             q_d2 <= q_d1;
             q_d3 <= q_d2;
             q_d4 <= q_d3;
+            q_d5 <= q_d4;
             f_d1 <= recip_f24_ftz_unit_y;
             before_far_joined_d1 <= {mul_f24_ftz_unit_y[23], before_far_chosen};
-            center_x_d6 <= center_x_d5;
-            center_x_d7 <= center_x_d6;
-            center_x_d8 <= center_x_d7;
-            center_x_d9 <= center_x_d8;
-            center_x_d10 <= center_x_d9;
-            center_x_d11 <= center_x_d10;
-            center_x_d12 <= center_x_d11;
-            center_x_d13 <= center_x_d12;
+            before_far_in_order_d1 <= le_f24_ftz_unit_y;
+            before_far_in_order_d2 <= before_far_in_order_d1;
             minus_h_y_d1 <= minus_sqrt_f24_ftz_unit_y;
-            first_y_joined_d1_copy2 <= {mul_f24_ftz_unit_copy2_y[23], first_y_chosen_copy6};
             last_y_lesser_d1 <= last_y_lesser;
             unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
             unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
             unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
             unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            unit_delta_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            minus_unit_delta_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
             m_exponent_d1 <= m_exponent;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
+            unit_delta_product_bits_d1 <= mul_f24_ftz_unit_copy2_y[22:15];
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy7_y;
+            last_sum_chosen_d1 <= last_sum_chosen;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_difference_chosen_d1 <= first_difference_chosen;
+            first_sum_difference_d1 <= first_sum_difference;
+            visible_both_d1_copy2 <= visible_both_copy3;
             delta_times_one_over_b_depth_d1 <= mul_f24_ftz_unit_copy5_y;
-            depth_high_out_greater_d1 <= max_f24_ftz_unit_y;
         end
         if (load_1) begin
             lowered_greater_d1_copy3 <= lowered_greater_copy3;
@@ -7983,39 +8344,42 @@ module splat_setup (
             not_turned_d5 <= not_turned_d4;
             not_turned_d6 <= not_turned_d5;
             whole_d1 <= whole;
-            whole_d8 <= delay_6_from_1_out;
+            whole_d8 <= whole_d7;
             whole_d9 <= whole_d8;
+            whole_d10 <= whole_d9;
+            whole_d11 <= whole_d10;
+            whole_d12 <= whole_d11;
+            whole_d13 <= whole_d12;
             first_x_chosen_d1_copy3 <= first_x_chosen_copy10;
             last_x_chosen_d1_copy3 <= last_x_chosen_copy4;
             first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
             first_y_in_order_d1_copy3 <= lt_f24_ftz_unit_copy2_y;
-            last_y_greater_d1 <= max_f24_ftz_unit_copy2_y;
             beta_bits_is_255_d1 <= beta_bits_is_255;
             mx_joined_d1 <= {beta_d3[23], mx_chosen_copy2};
             alpha_bits_is_255_d1 <= alpha_bits_is_255;
             mx_joined_d1_copy2 <= {alpha_d3[23], mx_chosen_copy4};
-            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
-            minus_mx_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-            my_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy6_y;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            my_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
+            largest_greater_d1_copy3 <= largest_greater_copy3;
             mx_bits_d1 <= mx_bits_d1_bits;
             mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
             not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
             mx_bits_is_255_d1 <= mx_bits_is_255;
-            mx_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
-            mx_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
             my_bits_d1 <= my_bits_d1_bits;
             mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
             not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
             my_bits_is_255_d1 <= my_bits_is_255;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy5_y[14:0];
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy5_y[23];
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-            edge_on_lesser_below_32_d2 <= edge_on_lesser_below_32_d1;
-            sight_negative_out_d9 <= sight_negative_out_d8;
-            visible_unequal_d1 <= visible_unequal_copy3;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy4_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy4_y[23];
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            middle_depth_minus_epsilon_d1 <= add_f24_ftz_unit_copy6_y;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
+            depth_low_out_d3 <= depth_low_out_d2;
+            middle_depth_plus_epsilon_d1 <= add_f24_ftz_unit_copy7_y;
         end
         if (load_2) begin
             lowered_greater_d1_copy4 <= lowered_greater_copy4;
@@ -8033,13 +8397,16 @@ module splat_setup (
             a_x_squared_plus_b_x_squared_d2 <= a_x_squared_plus_b_x_squared_d1;
             v_y_d1 <= mul_f24_ftz_unit_copy6_y;
             a_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy7_y;
+            b_y_joined_times_r_d1 <= mul_f24_ftz_unit_copy8_y;
             t_y_sum_d1 <= add_f24_ftz_unit_copy4_y;
             t_y_sum_d2 <= t_y_sum_d1;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy5_y;
+            a_y_squared_plus_b_y_squared_d2 <= a_y_squared_plus_b_y_squared_d1;
             last_y_chosen_d1_copy3 <= last_y_chosen_copy4;
-            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d1 <= b_x_bits_d1_bits;
             beta_bits_d2 <= beta_bits_d1;
             beta_bits_d3 <= beta_bits_d2;
-            alpha_bits_d1 <= alpha_bits_d1_bits;
+            alpha_bits_d1 <= a_x_bits_d1_bits;
             alpha_bits_d2 <= alpha_bits_d1;
             alpha_bits_d3 <= alpha_bits_d2;
             not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
@@ -8048,15 +8415,22 @@ module splat_setup (
             not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
             not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
             not_zero_is_alpha_bits_d3 <= not_zero_is_alpha_bits_d2;
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_plus_154_d2 <= largest_greater_plus_154_d1;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
+            largest_d1 <= largest;
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_copy7_y;
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
+            first_sum_d1 <= first_sum;
+            last_sum_lesser_d1 <= last_sum_lesser;
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_high_out_d2 <= depth_high_out_d1;
+            depth_high_out_d3 <= depth_high_out_d2;
         end
         if (queue_in_ready) begin
-            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? 24'd0 : max_f24_ftz_unit_a_choice_2;
-            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : phase[1] ? first_x_chosen_d1_copy3 : max_f24_ftz_unit_b_choice_3;
-            max_f24_ftz_unit_copy2_a <= phase[2] ? 24'd0 : max_f24_ftz_unit_copy2_a_bits;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_bits;
+            max_f24_ftz_unit_a <= phase[2] ? max_f24_ftz_unit_a_choice : max_f24_ftz_unit_a_choice_3;
+            max_f24_ftz_unit_b <= phase[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
+            max_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? 24'd0 : first_sum_product_d1) : max_f24_ftz_unit_copy2_a_choice;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? max_f24_ftz_unit_copy2_b_choice : max_f24_ftz_unit_copy2_b_choice_3;
             lt_f24_ftz_unit_a <= phase[2] ? lt_f24_ftz_unit_a_choice : phase[1] ? (phase[0] ? center_z_d1 : near_plane) : near_plane;
             lt_f24_ftz_unit_b <= phase[2] ? lt_f24_ftz_unit_b_choice : lt_f24_ftz_unit_b_choice_2;
             lt_f24_ftz_unit_copy2_a <= phase[2] ? lt_f24_ftz_unit_copy2_a_choice_2 : max_f24_ftz_unit_copy2_a_bits;
@@ -8064,15 +8438,17 @@ module splat_setup (
             add_f24_ftz_unit_a <= phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
             add_f24_ftz_unit_b <= phase[2] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_4;
             add_f24_ftz_unit_copy2_a <= phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_5;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_4;
             add_f24_ftz_unit_copy3_a <= phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
             add_f24_ftz_unit_copy3_b <= phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
             add_f24_ftz_unit_copy4_a <= phase[2] ? add_f24_ftz_unit_copy4_a_choice : add_f24_ftz_unit_copy4_a_choice_2;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_2 : add_f24_ftz_unit_copy4_b_choice_3;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice_2 : add_f24_ftz_unit_copy5_a_choice_3;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice_2 : add_f24_ftz_unit_copy5_b_choice_3;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? add_f24_ftz_unit_copy4_b_choice_3 : add_f24_ftz_unit_copy4_b_choice_5;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? add_f24_ftz_unit_copy5_a_choice : add_f24_ftz_unit_copy5_a_choice_2;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? add_f24_ftz_unit_copy5_b_choice : add_f24_ftz_unit_copy5_b_choice_2;
             add_f24_ftz_unit_copy6_a <= phase[2] ? add_f24_ftz_unit_copy6_a_choice : add_f24_ftz_unit_copy6_a_choice_2;
-            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice : add_f24_ftz_unit_copy6_b_choice_3;
+            add_f24_ftz_unit_copy6_b <= phase[2] ? add_f24_ftz_unit_copy6_b_choice_3 : add_f24_ftz_unit_copy6_b_choice_5;
+            add_f24_ftz_unit_copy7_a <= phase[2] ? add_f24_ftz_unit_copy7_a_choice : add_f24_ftz_unit_copy7_a_choice_2;
+            add_f24_ftz_unit_copy7_b <= phase[2] ? add_f24_ftz_unit_copy7_b_choice : add_f24_ftz_unit_copy7_b_choice_3;
             recip_f24_ftz_unit_a <= phase[2] ? recip_f24_ftz_unit_a_choice : f_chosen;
             mul_f24_ftz_unit_a <= phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
             mul_f24_ftz_unit_b <= phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
@@ -8083,23 +8459,35 @@ module splat_setup (
             mul_f24_ftz_unit_copy4_a <= phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_2;
             mul_f24_ftz_unit_copy4_b <= phase[2] ? mul_f24_ftz_unit_copy4_b_choice : mul_f24_ftz_unit_copy4_b_choice_2;
             mul_f24_ftz_unit_copy5_a <= phase[2] ? mul_f24_ftz_unit_copy5_a_choice : mul_f24_ftz_unit_copy5_a_choice_2;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice : mul_f24_ftz_unit_copy5_b_choice_2;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? mul_f24_ftz_unit_copy5_b_choice_2 : mul_f24_ftz_unit_copy5_b_choice_3;
             mul_f24_ftz_unit_copy6_a <= phase[2] ? mul_f24_ftz_unit_copy6_a_choice : mul_f24_ftz_unit_copy6_a_choice_2;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice : mul_f24_ftz_unit_copy6_b_choice_3;
-            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : phase[1] ? mul_f24_ftz_unit_copy2_y : one_minus_depth_a_d9;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? mul_f24_ftz_unit_copy6_b_choice_2 : mul_f24_ftz_unit_copy6_b_choice_3;
+            mul_f24_ftz_unit_copy7_a <= phase[2] ? mul_f24_ftz_unit_copy7_a_choice : mul_f24_ftz_unit_copy7_a_choice_2;
             mul_f24_ftz_unit_copy7_b <= phase[2] ? mul_f24_ftz_unit_copy7_b_choice : mul_f24_ftz_unit_copy7_b_choice_2;
-            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : add_f24_ftz_unit_copy3_y;
-            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? depth_b : phase[0] ? depth_b : add_f24_ftz_unit_y) : phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? le_f24_ftz_unit_b_choice : le_f24_ftz_unit_b_choice_2;
-            min_f24_ftz_unit_a <= phase[2] ? (phase[1] ? first_x_chosen_d1_copy2 : 24'h3f8000) : phase[1] ? 24'h45fff8 : first_y_chosen_d1_copy2;
+            mul_f24_ftz_unit_copy8_a <= phase[2] ? mul_f24_ftz_unit_copy8_a_choice : phase[1] ? 24'h3f8008 : f_d1;
+            mul_f24_ftz_unit_copy8_b <= phase[2] ? mul_f24_ftz_unit_copy8_b_choice : phase[1] ? add_f24_ftz_unit_copy6_y : first_sum_sum_d2;
+            sqrt_f24_ftz_unit_a <= phase[2] ? sqrt_f24_ftz_unit_a_choice : sqrt_f24_ftz_unit_a_choice_2;
+            le_f24_ftz_unit_a <= phase[2] ? depth_b : le_f24_ftz_unit_a_choice;
+            le_f24_ftz_unit_b <= phase[2] ? before_far_joined_d1 : le_f24_ftz_unit_b_choice;
+            min_f24_ftz_unit_a <= phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
             min_f24_ftz_unit_b <= phase[2] ? min_f24_ftz_unit_b_choice : min_f24_ftz_unit_b_choice_2;
+            min_f24_ftz_unit_copy2_a <= phase[2] ? 24'h45fff8 : 24'h470000;
+            min_f24_ftz_unit_copy2_b <= phase[2] ? last_y_chosen_d1_copy3 : min_f24_ftz_unit_copy2_b_choice;
             to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? to_fixed_f24_ftz_u21q8_unit_a_choice : to_fixed_f24_ftz_u21q8_unit_a_choice_2;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? to_fixed_f24_ftz_u24q24_unit_a_choice : max_f24_ftz_unit_copy2_y;
+            to_fixed_f24_ftz_u23q8_unit_a <= phase[2] ? min_f24_ftz_unit_copy2_y : min_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s22q8_unit_a <= phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s22q8_unit_a_choice;
+            to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_copy2_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= add_f24_ftz_unit_copy2_y;
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_d10, add_f24_ftz_unit_y};
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, center_x_d9};
+        end
+        if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= first_x_chosen_copy5;
@@ -8107,33 +8495,33 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_11_from_0[delay_11_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7};
+            delay_11_from_0[delay_11_from_0_pointer] <= {ay_out, ax_out, last_x_chosen, first_x_chosen_copy7};
         end
         if (load_0) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
     always @(posedge clk) begin
+        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= first_sum_both;
+        if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+    end
+    always @(posedge clk) begin
         if (load_0) begin
-            delay_19_from_0[delay_19_from_0_pointer] <= {
+            delay_21_from_0[delay_21_from_0_pointer] <= {
                 in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
                 in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
                 in_attribute_1, in_attribute_0, in_end
             };
         end
-        if (load_0) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        if (load_0) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= whole_d1;
+        if (load_1) begin
+            delay_6_from_1[delay_6_from_1_pointer] <= {add_f24_ftz_unit_copy5_y, whole_d1};
+        end
         if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_8_from_1[delay_8_from_1_pointer] <= {ay_out, ax_out, sight_negative_out};
-        end
-        if (load_1) delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_9_from_1[delay_9_from_1_pointer] <= {edge_on, first_y_chosen_copy5, add_f24_ftz_unit_y};
+            delay_9_from_1[delay_9_from_1_pointer] <= {first_y_chosen_copy5, add_f24_ftz_unit_y};
         end
         if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
@@ -8144,8 +8532,8 @@ module splat_setup (
         if (load_2) delay_11_from_2_out <= delay_11_from_2[delay_11_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_16_from_2[delay_16_from_2_pointer] <= reaches_near;
-        if (load_2) delay_16_from_2_out <= delay_16_from_2[delay_16_from_2_pointer];
+        if (load_2) delay_19_from_2[delay_19_from_2_pointer] <= reaches_near;
+        if (load_2) delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
     end
     always @(posedge clk) begin
         if (load_3) delay_7_from_3[delay_7_from_3_pointer] <= add_f24_ftz_unit_y;
@@ -8156,13 +8544,23 @@ module splat_setup (
         if (load_4) delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) delay_7_from_4[delay_7_from_4_pointer] <= delay_7_from_4_data_bits;
+        if (load_4) begin
+            delay_7_from_4[delay_7_from_4_pointer] <= {add_f24_ftz_unit_copy3_y, all_before_far, 1'd0, mul_f24_ftz_unit_y[22:0]};
+        end
         if (load_4) delay_7_from_4_out <= delay_7_from_4[delay_7_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= {beyond_near, reaches_near_sum_d1_copy2};
+        if (load_4) delay_11_from_4[delay_11_from_4_pointer] <= delta_d1;
+        if (load_4) delay_11_from_4_out <= delay_11_from_4[delay_11_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_4) begin
+            delay_12_from_4[delay_12_from_4_pointer] <= {my, mx, b_y_sign_d3, by_out_chosen_copy2, b_x_sign_d3, bx_out_chosen_copy2};
         end
+        if (load_4) delay_12_from_4_out <= delay_12_from_4[delay_12_from_4_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= reaches_near_sum_d1_copy2;
         if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
@@ -8170,61 +8568,68 @@ module splat_setup (
         if (load_5) delay_7_from_5_out <= delay_7_from_5[delay_7_from_5_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_8_from_6[delay_8_from_6_pointer] <= {delta_d1, turned_d10};
+        if (load_5) delay_8_from_5[delay_8_from_5_pointer] <= beyond_near;
+        if (load_5) delay_8_from_5_out <= delay_8_from_5[delay_8_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_5) begin
+            delay_14_from_5[delay_14_from_5_pointer] <= {first_difference_difference, first_sum_sum_copy2};
+        end
+        if (load_5) delay_14_from_5_out <= delay_14_from_5[delay_14_from_5_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_6) delay_8_from_6[delay_8_from_6_pointer] <= turned_and_lowered_chosen_sign;
         if (load_6) delay_8_from_6_out <= delay_8_from_6[delay_8_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_9_from_6[delay_9_from_6_pointer] <= {
-                turned_and_lowered_chosen_sign, my, mx, b_y_sign_d3, by_out_chosen_copy2, b_x_sign_d4,
-                bx_out_chosen_copy2, turned_d1
-            };
-        end
+        if (load_6) delay_9_from_6[delay_9_from_6_pointer] <= turned_d1;
         if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_11_from_6[delay_11_from_6_pointer] <= sight_disc_out;
+        if (load_6) begin
+            delay_11_from_6[delay_11_from_6_pointer] <= {sight_disc_out, delay_9_from_6_out};
+        end
         if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= before_far;
+        if (load_6) delay_12_from_6[delay_12_from_6_pointer] <= {sight_negative_out, before_far};
         if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_6) delay_17_from_6[delay_17_from_6_pointer] <= visible_unequal_copy2;
-        if (load_6) delay_17_from_6_out <= delay_17_from_6[delay_17_from_6_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_7) begin
-            delay_5_from_7[delay_5_from_7_pointer] <= {add_f24_ftz_unit_copy4_y, all_before_far};
-        end
-        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_7) begin
-            delay_7_from_7[delay_7_from_7_pointer] <= {mul_f24_ftz_unit_copy7_y[22:0], mul_f24_ftz_unit_copy6_y[22:0]};
-        end
-        if (load_7) delay_7_from_7_out <= delay_7_from_7[delay_7_from_7_pointer];
+        if (load_6) delay_20_from_6[delay_20_from_6_pointer] <= visible_unequal_copy2;
+        if (load_6) delay_20_from_6_out <= delay_20_from_6[delay_20_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= half_depth_chosen;
         if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_10_from_7[delay_10_from_7_pointer] <= {mul_f24_ftz_unit_copy7_y[22:0], mul_f24_ftz_unit_copy6_y[22:0]};
+        end
+        if (load_7) delay_10_from_7_out <= delay_10_from_7[delay_10_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_7) delay_13_from_7[delay_13_from_7_pointer] <= edge_on;
+        if (load_7) delay_13_from_7_out <= delay_13_from_7[delay_13_from_7_pointer];
+    end
 
     wire _unused = &{
         1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], ax_out_chosen[10:8],
         ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], bx_out_chosen[10:8],
-        by_out_chosen[10:8], delta_chosen[10:8], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
-        last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8],
-        mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
-        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
+        by_out_chosen[10:8], delta_chosen[10:8], first_difference_sum_copy2[7:0], first_sum_sum_copy3[7:0],
+        first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8], last_difference_sum_copy3[7:0],
+        last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
+        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8],
+        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
+        unit_delta_chosen_copy7[10:8]
     };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
-        load_0_in_phase: assert (load_0 == (queue_in_ready & (phase == 3'd0)));
-        load_1_in_phase: assert (load_1 == (queue_in_ready & phase_is_1));
+        load_0_in_phase: assert (load_0 == (queue_in_ready & phase_is_0));
+        load_1_in_phase: assert (load_1 == (queue_in_ready & (phase == 3'd1)));
         load_2_in_phase: assert (load_2 == (queue_in_ready & (phase == 3'd2)));
         load_3_in_phase: assert (load_3 == (queue_in_ready & (phase == 3'd3)));
         load_4_in_phase: assert (load_4 == (queue_in_ready & (phase == 3'd4)));
@@ -8232,10 +8637,10 @@ module splat_setup (
         load_6_in_phase: assert (load_6 == (queue_in_ready & (phase == 3'd6)));
         load_7_in_phase: assert (load_7 == (queue_in_ready & phase_is_7));
 `else
-        if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+        if (!(load_0 == (queue_in_ready & phase_is_0))) begin
             $display("assertion failed: load_0_in_phase in %m"); $stop;
         end
-        if (!(load_1 == (queue_in_ready & phase_is_1))) begin
+        if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
             $display("assertion failed: load_1_in_phase in %m"); $stop;
         end
         if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
@@ -8297,6 +8702,91 @@ module float_to_fixed_s3_f24ftz_w24_f24_unsigned (
             saturates_s1 <= (~vanishes_s1_either & (11'd25 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 22
+// fraction = 8
+// integer = signed
+module float_to_fixed_s3_f24ftz_w22_f8_signed (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [21:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [21:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd22 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [21:0] y_choice = saturates_s2 ? (sign_s2 ? 22'h200000 : 22'h1fffff) : sign_s2 ? (~magnitude_s2 + 22'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({6'd0, significand_s1} << 6) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 22'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 23
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_s3_f24ftz_w23_f8_unsigned (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [22:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [22:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd23 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({7'd0, significand_s1} << 7) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd24 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 23'd0 : saturates_s2 ? 23'h7fffff : magnitude_s2;
         end
     end
 
@@ -8969,14 +9459,14 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 598
-module stream_skid_w598 (
+// width = 638
+module stream_skid_w638 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [597:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [597:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [637:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [637:0] out_data
 );
     reg second_valid;
-    reg [597:0] head, second;
+    reg [637:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

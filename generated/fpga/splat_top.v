@@ -124,6 +124,7 @@ module splat_top (
     wire [15:0] setup_out_attribute_8, setup_out_attribute_9, setup_out_attribute_10, setup_out_attribute_11;
     wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
     wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire [9:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [31:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
     wire [31:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my;
@@ -137,6 +138,8 @@ module splat_top (
     wire [15:0] splitter_out_attribute_9, splitter_out_attribute_10, splitter_out_attribute_11;
     wire [15:0] splitter_out_attribute_12, splitter_out_cardinal_0;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
+    wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
+    wire [3:0] splitter_out_last_difference;
     wire [11:0] splitter_out_tile;
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [31:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
@@ -150,6 +153,8 @@ module splat_top (
     wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
     wire [15:0] reorder_out_attribute_12, reorder_out_cardinal_0;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
     wire [11:0] reorder_out_tile;
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [31:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
@@ -164,6 +169,8 @@ module splat_top (
     wire [15:0] tile_cache_out_attribute_9, tile_cache_out_attribute_10, tile_cache_out_attribute_11;
     wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
     wire [11:0] tile_cache_out_tile;
     wire [1:0] tile_cache_out_slot;
     wire tile_cache_pixel_valid, tile_cache_pixel_end;
@@ -291,7 +298,9 @@ module splat_top (
         .out_attribute_9(setup_out_attribute_9), .out_attribute_10(setup_out_attribute_10),
         .out_attribute_11(setup_out_attribute_11), .out_attribute_12(setup_out_attribute_12),
         .out_cardinal_0(setup_out_cardinal_0), .out_left(setup_out_left), .out_right(setup_out_right),
-        .out_top(setup_out_top), .out_bottom(setup_out_bottom)
+        .out_top(setup_out_top), .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum),
+        .out_last_sum(setup_out_last_sum), .out_first_difference(setup_out_first_difference),
+        .out_last_difference(setup_out_last_difference)
     );
 
     splat_splitter splitter (
@@ -310,7 +319,9 @@ module splat_top (
         .in_attribute_9(setup_out_attribute_9), .in_attribute_10(setup_out_attribute_10),
         .in_attribute_11(setup_out_attribute_11), .in_attribute_12(setup_out_attribute_12),
         .in_cardinal_0(setup_out_cardinal_0), .in_left(setup_out_left), .in_right(setup_out_right),
-        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
+        .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
+        .in_last_difference(setup_out_last_difference),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
@@ -327,7 +338,9 @@ module splat_top (
         .out_attribute_10(splitter_out_attribute_10), .out_attribute_11(splitter_out_attribute_11),
         .out_attribute_12(splitter_out_attribute_12), .out_cardinal_0(splitter_out_cardinal_0),
         .out_left(splitter_out_left), .out_right(splitter_out_right), .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom), .out_tile(splitter_out_tile)
+        .out_bottom(splitter_out_bottom), .out_first_sum(splitter_out_first_sum),
+        .out_last_sum(splitter_out_last_sum), .out_first_difference(splitter_out_first_difference),
+        .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -347,7 +360,9 @@ module splat_top (
         .in_attribute_10(splitter_out_attribute_10), .in_attribute_11(splitter_out_attribute_11),
         .in_attribute_12(splitter_out_attribute_12), .in_cardinal_0(splitter_out_cardinal_0),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+        .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
+        .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
@@ -364,7 +379,9 @@ module splat_top (
         .out_attribute_10(reorder_out_attribute_10), .out_attribute_11(reorder_out_attribute_11),
         .out_attribute_12(reorder_out_attribute_12), .out_cardinal_0(reorder_out_cardinal_0),
         .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -384,7 +401,9 @@ module splat_top (
         .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
         .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -402,7 +421,10 @@ module splat_top (
         .out_attribute_11(tile_cache_out_attribute_11), .out_attribute_12(tile_cache_out_attribute_12),
         .out_cardinal_0(tile_cache_out_cardinal_0), .out_left(tile_cache_out_left),
         .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
+        .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_peak(data_peak), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -477,7 +499,10 @@ module splat_top (
         .in_attribute_10(tile_cache_out_attribute_10), .in_attribute_11(tile_cache_out_attribute_11),
         .in_attribute_12(tile_cache_out_attribute_12), .in_cardinal_0(tile_cache_out_cardinal_0),
         .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
+        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
+        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -2709,6 +2734,10 @@ module splat_rasterizer (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     input  wire [1:0] in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
@@ -2743,7 +2772,11 @@ module splat_rasterizer (
     reg busy, idle, is_end, is_last;
     reg [1:0] slot;
     reg [11:0] tile;
-    reg [2:0] column, row, left, right, bottom;
+    reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
+    reg [3:0] first_sum;  // Smallest sum.
+    reg [3:0] last_sum;  // Largest sum.
+    reg [3:0] first_difference;  // Smallest difference.
+    reg [3:0] last_difference;  // Largest difference.
     reg [31:0] center_x;  // Projected center (px), the origin of what follows.
     reg [31:0] center_y;  // Projected center (px), the origin of what follows.
     reg [31:0] ax;  // `A` in x.
@@ -2764,11 +2797,43 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire column_is_right = column == right;
-    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
-    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
-    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
+    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] idle_bits = {1'd0, ~in_top};
+    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
+    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
+    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
+    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
+    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
+    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
+    wire idle_either = in_end | ({in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]});
+    wire row_done = column == row_end;
+    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
+    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
+    wire idle_same = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
+    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] in_top_plus_1 = in_top + 3'd1;
+    wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
+    wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
+    wire [3:0] next_begin_bits_2 = {1'd0, ~in_top_plus_1};
+    wire [3:0] next_begin_choice_2 = (in_first_difference < next_begin_bits_2) ? 4'd0 : (in_first_difference - next_begin_bits_2);
+    wire [3:0] next_begin_choice_3 = (next_begin_choice < next_begin_choice_2) ? next_begin_choice_2 : next_begin_choice;
+    wire [3:0] next_begin_choice_4 = (next_begin_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : next_begin_choice_3;
+    wire [2:0] row_plus_2 = row + 3'd2;
+    wire [3:0] next_begin_bits_3 = {1'd0, row_plus_2};
+    wire [3:0] next_begin_choice_5 = (first_sum < next_begin_bits_3) ? 4'd0 : (first_sum - next_begin_bits_3);
+    wire [3:0] next_begin_bits_4 = {1'd0, ~row_plus_2};
+    wire [3:0] next_begin_choice_6 = (first_difference < next_begin_bits_4) ? 4'd0 : (first_difference - next_begin_bits_4);
+    wire [3:0] next_begin_choice_7 = (next_begin_choice_5 < next_begin_choice_6) ? next_begin_choice_6 : next_begin_choice_5;
+    wire [3:0] next_begin_choice_8 = (next_begin_choice_7 < {1'd0, left}) ? {1'd0, left} : next_begin_choice_7;
+    wire [3:0] next_end_choice = (in_last_sum < next_begin_bits) ? 4'd0 : (in_last_sum - next_begin_bits);
+    wire [3:0] next_end_choice_2 = (in_last_difference < next_begin_bits_2) ? 4'd0 : (in_last_difference - next_begin_bits_2);
+    wire [3:0] next_end_choice_3 = (next_end_choice < next_end_choice_2) ? next_end_choice : next_end_choice_2;
+    wire [3:0] next_end_choice_4 = (next_end_choice_3 < {1'd0, in_right}) ? next_end_choice_3 : {1'd0, in_right};
+    wire [3:0] next_end_choice_5 = (last_sum < next_begin_bits_3) ? 4'd0 : (last_sum - next_begin_bits_3);
+    wire [3:0] next_end_choice_6 = (last_difference < next_begin_bits_4) ? 4'd0 : (last_difference - next_begin_bits_4);
+    wire [3:0] next_end_choice_7 = (next_end_choice_5 < next_end_choice_6) ? next_end_choice_5 : next_end_choice_6;
+    wire [3:0] next_end_choice_8 = (next_end_choice_7 < {1'd0, right}) ? next_end_choice_7 : {1'd0, right};
 
     assign in_ready = take;
     assign {
@@ -2822,9 +2887,13 @@ module splat_rasterizer (
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
+            bottom <= in_bottom;
             left <= in_left;
             right <= in_right;
-            bottom <= in_bottom;
+            first_sum <= in_first_sum;
+            last_sum <= in_last_sum;
+            first_difference <= in_first_difference;
+            last_difference <= in_last_difference;
             center_x <= in_center_x;
             center_y <= in_center_y;
             ax <= in_ax;
@@ -2842,12 +2911,20 @@ module splat_rasterizer (
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
-            column <= load ? in_left : idle_choice;
-            row <= load ? in_top : idle_choice_2;
+            column <= load ? idle_choice_4[2:0] : idle_choice_10;
+            row <= load ? in_top : idle_choice_9;
+        end
+        if (row_end_enable_both) begin
+            row_end <= load ? idle_choice_8[2:0] : next_end;
+            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
-    wire _unused = &{1'b0, shared_out_valid};
+    wire _unused = &{
+        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
+        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+    };
 endmodule
 
 // Queue in a memory with a registered output.
@@ -4119,6 +4196,10 @@ module splat_tile_cache (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
@@ -4157,6 +4238,10 @@ module splat_tile_cache (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
     output wire [1:0] out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
@@ -4302,6 +4387,10 @@ module splat_tile_cache (
     reg [2:0] head_right;  // Last column.
     reg [2:0] head_top;  // First row.
     reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
     reg [11:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
@@ -4338,9 +4427,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [673:0] in_queue_out_data;
+    wire [689:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [675:0] out_queue_out_data;
+    wire [691:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -4381,42 +4470,46 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[673];
-    wire [31:0] in_queue_out_center_x = in_queue_out_data[672:641];
-    wire [31:0] in_queue_out_center_y = in_queue_out_data[640:609];
-    wire [31:0] in_queue_out_ax = in_queue_out_data[608:577];
-    wire [31:0] in_queue_out_bx = in_queue_out_data[576:545];
-    wire [31:0] in_queue_out_ay = in_queue_out_data[544:513];
-    wire [31:0] in_queue_out_by = in_queue_out_data[512:481];
-    wire [31:0] in_queue_out_delta = in_queue_out_data[480:449];
-    wire [31:0] in_queue_out_mx = in_queue_out_data[448:417];
-    wire [31:0] in_queue_out_my = in_queue_out_data[416:385];
-    wire in_queue_out_sight_negative = in_queue_out_data[384];
-    wire [30:0] in_queue_out_sight_near = in_queue_out_data[383:353];
-    wire [30:0] in_queue_out_sight_far = in_queue_out_data[352:322];
-    wire in_queue_out_sight_turned = in_queue_out_data[321];
-    wire in_queue_out_sight_disc = in_queue_out_data[320];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[319:296];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[295:272];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[271:248];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[247:232];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[231:216];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[215:200];
-    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[199:184];
-    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[183:168];
-    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[167:152];
-    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[151:136];
-    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[135:120];
-    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[119:104];
-    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[103:88];
-    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[87:72];
-    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[71:56];
-    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[55:40];
-    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[39:24];
-    wire [2:0] in_queue_out_left = in_queue_out_data[23:21];
-    wire [2:0] in_queue_out_right = in_queue_out_data[20:18];
-    wire [2:0] in_queue_out_top = in_queue_out_data[17:15];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
+    wire in_queue_out_end = in_queue_out_data[689];
+    wire [31:0] in_queue_out_center_x = in_queue_out_data[688:657];
+    wire [31:0] in_queue_out_center_y = in_queue_out_data[656:625];
+    wire [31:0] in_queue_out_ax = in_queue_out_data[624:593];
+    wire [31:0] in_queue_out_bx = in_queue_out_data[592:561];
+    wire [31:0] in_queue_out_ay = in_queue_out_data[560:529];
+    wire [31:0] in_queue_out_by = in_queue_out_data[528:497];
+    wire [31:0] in_queue_out_delta = in_queue_out_data[496:465];
+    wire [31:0] in_queue_out_mx = in_queue_out_data[464:433];
+    wire [31:0] in_queue_out_my = in_queue_out_data[432:401];
+    wire in_queue_out_sight_negative = in_queue_out_data[400];
+    wire [30:0] in_queue_out_sight_near = in_queue_out_data[399:369];
+    wire [30:0] in_queue_out_sight_far = in_queue_out_data[368:338];
+    wire in_queue_out_sight_turned = in_queue_out_data[337];
+    wire in_queue_out_sight_disc = in_queue_out_data[336];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[335:312];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[311:288];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[287:264];
+    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[263:248];
+    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[247:232];
+    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[231:216];
+    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[215:200];
+    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[199:184];
+    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[183:168];
+    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[167:152];
+    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[151:136];
+    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[135:120];
+    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[119:104];
+    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[103:88];
+    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[87:72];
+    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[71:56];
+    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[55:40];
+    wire [2:0] in_queue_out_left = in_queue_out_data[39:37];
+    wire [2:0] in_queue_out_right = in_queue_out_data[36:34];
+    wire [2:0] in_queue_out_top = in_queue_out_data[33:31];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[30:28];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[27:24];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[23:20];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[19:16];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[15:12];
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
     wire finish_inverted = ~(looking | looked | moving);
@@ -4475,7 +4568,8 @@ module splat_tile_cache (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile, out_slot
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile,
+        out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -4502,7 +4596,7 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w674 in_queue (
+    stream_half_buffer_w690 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
@@ -4510,12 +4604,12 @@ module splat_tile_cache (
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_tile
+            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w676 out_queue (
+    stream_half_buffer_w692 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
@@ -4523,7 +4617,8 @@ module splat_tile_cache (
             head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1, head_attribute_2,
             head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6, head_attribute_7,
             head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11, head_attribute_12,
-            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
+            head_cardinal_0, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4660,6 +4755,10 @@ module splat_tile_cache (
             head_right <= in_queue_out_right;
             head_top <= in_queue_out_top;
             head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
             head_tile <= in_queue_out_tile;
         end
         if (start_or_mode_is_4) begin
@@ -4824,14 +4923,14 @@ module stream_skid_w338 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 676
-module stream_half_buffer_w676 (
+// width = 692
+module stream_half_buffer_w692 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [675:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [675:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [691:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [691:0] out_data
 );
     reg full;
-    reg [675:0] item;
+    reg [691:0] item;
 
     assign in_ready = ~full;
 
@@ -4886,6 +4985,10 @@ module splat_reorder (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
@@ -4924,6 +5027,10 @@ module splat_reorder (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
     reg free_valid;
@@ -4931,21 +5038,21 @@ module splat_reorder (
     reg [12:0] fresh;
     reg draining, stage_valid;
     reg [11:0] stage_tile;
-    wire [660:0] stage_payload;
+    wire [676:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [673:0] in_queue_out_data;
+    wire [689:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [673:0] out_queue_out_data;
+    wire [689:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [673:0] caught_out_data;
+    wire [689:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile, heap_out_pointer;
     wire heap_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[673];
+    wire in_queue_out_end = in_queue_out_data[689];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -4963,15 +5070,15 @@ module splat_reorder (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(661), .DEPTH(4096), .SLICE(4)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[672:12]),
+    memory_1w1r_unordered #(.WIDTH(677), .DEPTH(4096), .SLICE(4)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[688:12]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w674 in_queue (
+    stream_half_buffer_w690 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my,
@@ -4979,18 +5086,18 @@ module splat_reorder (
             in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
             in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
             in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
-            in_bottom, in_tile
+            in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference, in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w674 out_queue (
+    stream_half_buffer_w690 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w674 caught (
+    stream_half_buffer_w690 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -6332,7 +6439,7 @@ module stream_skid_w24 (
 `endif
 endmodule
 
-// Splits a splat's rectangle into one copy per tile.
+// Splits a splat's octagon into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
@@ -6372,6 +6479,10 @@ module splat_splitter (
     input  wire [8:0] in_right,  // Last column.
     input  wire [8:0] in_top,  // First row.
     input  wire [8:0] in_bottom,  // Last row.
+    input  wire [9:0] in_first_sum,  // Smallest sum.
+    input  wire [9:0] in_last_sum,  // Largest sum.
+    input  wire [9:0] in_first_difference,  // Smallest difference.
+    input  wire [9:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [31:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -6409,9 +6520,13 @@ module splat_splitter (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last;
+    reg busy, located, idle, last;
     reg splat_end;  // Closes the frame.
     reg [31:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [31:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -6448,18 +6563,59 @@ module splat_splitter (
     reg [8:0] splat_right;  // Last column.
     reg [8:0] splat_top;  // First row.
     reg [8:0] splat_bottom;  // Last row.
+    reg [9:0] splat_first_sum;  // Smallest sum.
+    reg [9:0] splat_last_sum;  // Largest sum.
+    reg [9:0] splat_first_difference;  // Smallest difference.
+    reg [9:0] splat_last_difference;  // Largest difference.
     reg [5:0] column, row;
+    reg [3:0] first_sum, past_sum, first_difference, past_difference;
 
     wire out_queue_in_ready;
-    wire [673:0] out_queue_out_data;
+    wire [689:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
+    wire step = out_queue_in_ready & (busy & located);
+    wire [3:0] occupied_bits = {1'd0, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0};
     wire right_most = column == splat_right[8:3];
+    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
+    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
+    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
+    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
+    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0;
+    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
+    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
+    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
+    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
+    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
+    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
+    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
+    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
+    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
+    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
-    wire idle_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
-    wire [5:0] idle_choice = right_most ? (row + 6'd1) : row;
-    wire [5:0] idle_choice_2 = right_most ? splat_left[8:3] : (column + 6'd1);
-    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[8:3], splat_right[8:3]};
+    wire locate = busy & ~located;
+    wire moves = take | step;
+    wire last_either = in_end | ({in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]});
+    wire [5:0] row_choice = right_most ? (row + 6'd1) : row;
+    wire [5:0] column_choice = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire last_same = {row_choice, column_choice} == {splat_bottom[8:3], splat_right[8:3]};
+    wire [11:0] first_sum_bits = {3'd0, column, 3'd0};
+    wire [11:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
+    wire [11:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
+    wire [11:0] past_sum_difference = ({2'd0, splat_last_sum} + 12'd1) - first_sum_sum;
+    wire [11:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
+    wire [11:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
+    wire [3:0] first_difference_choice = |first_difference_difference[10:4] ? 4'd15 : first_difference_difference[3:0];
+    wire [11:0] past_difference_difference = ({2'd0, splat_last_difference} + 12'd1) - past_difference_sum;
+    wire [3:0] past_difference_choice = |past_difference_difference[10:4] ? 4'd15 : past_difference_difference[3:0];
 
     assign in_ready = ready;
     assign {
@@ -6468,21 +6624,20 @@ module splat_splitter (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom, out_tile
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w674 out_queue (
-        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w690 out_queue (
+        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_sight_negative, splat_sight_near, splat_sight_far, splat_sight_turned,
             splat_sight_disc, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
             splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
             splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
-            splat_attribute_11, splat_attribute_12, splat_cardinal_0,
-            (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0, right_most ? splat_right[2:0] : 3'd7,
-            (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
-            (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
+            splat_attribute_11, splat_attribute_12, splat_cardinal_0, out_queue_in_data_choice_2,
+            out_queue_in_data_choice, occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum,
+            past_sum - 4'd1, first_difference, past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -6491,16 +6646,17 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
-        end else if (out_queue_in_ready) begin
-            busy <= take | (busy & ~last);
-            idle <= take ? idle_either : (~busy | (last | idle_same));
+        end else begin
+            busy <= take | (busy & ~(step & last));
+            idle <= locate ? last : (idle & ~take);
         end
     end
     always @(posedge clk) begin
-        if (out_queue_in_ready) begin
-            last <= take ? idle_either : idle_same;
-            column <= take ? in_left[8:3] : idle_choice_2;
-            row <= take ? in_top[8:3] : idle_choice;
+        located <= locate | (located & ~moves);
+        if (moves) begin
+            last <= take ? last_either : last_same;
+            column <= take ? in_left[8:3] : column_choice;
+            row <= take ? in_top[8:3] : row_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -6539,19 +6695,31 @@ module splat_splitter (
             splat_right <= in_right;
             splat_top <= in_top;
             splat_bottom <= in_bottom;
+            splat_first_sum <= in_first_sum;
+            splat_last_sum <= in_last_sum;
+            splat_first_difference <= in_first_difference;
+            splat_last_difference <= in_last_difference;
+        end
+        if (locate) begin
+            first_sum <= first_sum_difference[11] ? 4'd0 : |first_sum_difference[10:4] ? 4'd15 : first_sum_difference[3:0];
+            past_sum <= past_sum_difference[11] ? 4'd0 : |past_sum_difference[10:4] ? 4'd15 : past_sum_difference[3:0];
+            first_difference <= first_difference_difference[11] ? 4'd0 : first_difference_choice;
+            past_difference <= past_difference_difference[11] ? 4'd0 : past_difference_choice;
         end
     end
+
+    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
 endmodule
 
 // One item in a register, at half rate.
-// width = 674
-module stream_half_buffer_w674 (
+// width = 690
+module stream_half_buffer_w690 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [673:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [673:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [689:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [689:0] out_data
 );
     reg full;
-    reg [673:0] item;
+    reg [689:0] item;
 
     assign in_ready = ~full;
 
@@ -6565,8 +6733,8 @@ module stream_half_buffer_w674 (
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
-// Footprint, depth band and bounding rectangle of a splat.
-// latency = 168
+// Footprint, depth band and bounding octagon of a splat.
+// latency = 190
 // initiation_interval = 2
 module splat_setup (
     input  wire clk, input wire rst,
@@ -6641,38 +6809,46 @@ module splat_setup (
     output wire [8:0] out_left,  // First column.
     output wire [8:0] out_right,  // Last column.
     output wire [8:0] out_top,  // First row.
-    output wire [8:0] out_bottom  // Last row.
+    output wire [8:0] out_bottom,  // Last row.
+    output wire [9:0] out_first_sum,  // Smallest sum.
+    output wire [9:0] out_last_sum,  // Largest sum.
+    output wire [9:0] out_first_difference,  // Smallest difference.
+    output wire [9:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
     reg [32:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [56:0] delay_6_from_0 [0:4];
-    (* ram_style = "distributed" *)
-    reg [1:0] delay_7_from_0 [0:5];
+    reg [34:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [53:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
     reg [10:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [373:0] delay_11_from_0 [0:9];
+    reg [319:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg [34:0] delay_12_from_0 [0:10];
+    reg [52:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_14_from_0 [0:12];
+    reg [31:0] delay_13_from_0 [0:11];
     (* ram_style = "distributed" *)
     reg [63:0] delay_15_from_0 [0:13];
     (* ram_style = "distributed" *)
+    reg delay_16_from_0 [0:14];
+    (* ram_style = "distributed" *)
     reg [216:0] delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [64:0] delay_20_from_0 [0:18];
+    reg [63:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_24_from_0 [0:22];
+    reg [95:0] delay_23_from_0 [0:21];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_24_from_0 [0:22];
     (* ram_style = "distributed" *)
     reg [10:0] delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
+    reg [87:0] delay_28_from_0 [0:26];
+    (* ram_style = "distributed" *)
     reg delay_30_from_0 [0:28];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_31_from_0 [0:29];
+    reg [32:0] delay_31_from_0 [0:29];
     (* ram_style = "distributed" *)
     reg delay_35_from_0 [0:33];
     (* ram_style = "distributed" *)
@@ -6680,118 +6856,150 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [31:0] delay_40_from_0 [0:38];
     (* ram_style = "distributed" *)
-    reg [64:0] delay_41_from_0 [0:39];
-    (* ram_style = "distributed" *)
-    reg [2:0] delay_44_from_0 [0:42];
-    (* ram_style = "distributed" *)
     reg [2:0] delay_51_from_0 [0:49];
+    (* ram_style = "distributed" *)
+    reg [64:0] delay_52_from_0 [0:50];
+    (* ram_style = "distributed" *)
+    reg [2:0] delay_55_from_0 [0:53];
     (* ram_style = "distributed" *)
     reg delay_57_from_0 [0:55];
     (* ram_style = "distributed" *)
-    reg [56:0] delay_7_from_1 [0:5];
+    reg delay_64_from_0 [0:62];
+    (* ram_style = "distributed" *)
+    reg [32:0] delay_7_from_1 [0:5];
     (* ram_style = "distributed" *)
     reg [42:0] delay_8_from_1 [0:6];
     (* ram_style = "distributed" *)
     reg [43:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [231:0] delay_10_from_1 [0:8];
+    reg [263:0] delay_10_from_1 [0:8];
+    (* ram_style = "distributed" *)
+    reg delay_11_from_1 [0:9];
+    (* ram_style = "distributed" *)
+    reg [8:0] delay_12_from_1 [0:10];
     (* ram_style = "distributed" *)
     reg [1:0] delay_14_from_1 [0:12];
     (* ram_style = "distributed" *)
-    reg delay_21_from_1 [0:19];
+    reg [23:0] delay_17_from_1 [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] delay_26_from_1 [0:24];
     (* ram_style = "distributed" *)
     reg [31:0] delay_31_from_1 [0:29];
     (* ram_style = "distributed" *)
-    reg [61:0] delay_34_from_1 [0:32];
+    reg delay_32_from_1 [0:30];
     (* ram_style = "distributed" *)
     reg delay_37_from_1 [0:35];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_41_from_1 [0:39];
-    (* ram_style = "distributed" *)
-    reg [127:0] delay_42_from_1 [0:40];
+    reg [31:0] delay_41_from_1 [0:39];
     (* ram_style = "distributed" *)
     reg [63:0] delay_43_from_1 [0:41];
     (* ram_style = "distributed" *)
+    reg [61:0] delay_45_from_1 [0:43];
+    (* ram_style = "distributed" *)
     reg [1:0] delay_51_from_1 [0:49];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_52_from_1 [0:50];
+    (* ram_style = "distributed" *)
+    reg [127:0] delay_53_from_1 [0:51];
+    (* ram_style = "distributed" *)
+    reg [26:0] delay_61_from_1 [0:59];
+    (* ram_style = "distributed" *)
+    reg [26:0] delay_62_from_1 [0:60];
     reg phase, load_0, load_1;
     reg [1:0] delay_5_from_0_pointer;
     reg [32:0] delay_5_from_0_out;
-    reg [2:0] delay_6_from_0_pointer;
-    reg [56:0] delay_6_from_0_out;
     reg [2:0] delay_7_from_0_pointer;
-    reg [1:0] delay_7_from_0_out;
+    reg [34:0] delay_7_from_0_out;
     reg [2:0] delay_8_from_0_pointer;
     reg [53:0] delay_8_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
     reg [10:0] delay_9_from_0_out;
     reg [3:0] delay_11_from_0_pointer;
-    reg [373:0] delay_11_from_0_out;
+    reg [319:0] delay_11_from_0_out;
     reg [3:0] delay_12_from_0_pointer;
-    reg [34:0] delay_12_from_0_out;
-    reg [3:0] delay_14_from_0_pointer;
-    reg [31:0] delay_14_from_0_out;
+    reg [52:0] delay_12_from_0_out;
+    reg [3:0] delay_13_from_0_pointer;
+    reg [31:0] delay_13_from_0_out;
     reg [3:0] delay_15_from_0_pointer;
     reg [63:0] delay_15_from_0_out;
+    reg [3:0] delay_16_from_0_pointer;
+    reg delay_16_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
     reg [216:0] delay_17_from_0_out;
     reg [4:0] delay_20_from_0_pointer;
-    reg [64:0] delay_20_from_0_out;
+    reg [63:0] delay_20_from_0_out;
+    reg [4:0] delay_23_from_0_pointer;
+    reg [95:0] delay_23_from_0_out;
     reg [4:0] delay_24_from_0_pointer;
-    reg [63:0] delay_24_from_0_out;
+    reg [31:0] delay_24_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
     reg [10:0] delay_25_from_0_out;
+    reg [4:0] delay_28_from_0_pointer;
+    reg [87:0] delay_28_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg delay_30_from_0_out;
     reg [4:0] delay_31_from_0_pointer;
-    reg [31:0] delay_31_from_0_out;
+    reg [32:0] delay_31_from_0_out;
     reg [5:0] delay_35_from_0_pointer;
     reg delay_35_from_0_out;
     reg [5:0] delay_37_from_0_pointer;
     reg [1:0] delay_37_from_0_out;
     reg [5:0] delay_40_from_0_pointer;
     reg [31:0] delay_40_from_0_out;
-    reg [5:0] delay_41_from_0_pointer;
-    reg [64:0] delay_41_from_0_out;
-    reg [5:0] delay_44_from_0_pointer;
-    reg [2:0] delay_44_from_0_out;
     reg [5:0] delay_51_from_0_pointer;
     reg [2:0] delay_51_from_0_out;
+    reg [5:0] delay_52_from_0_pointer;
+    reg [64:0] delay_52_from_0_out;
+    reg [5:0] delay_55_from_0_pointer;
+    reg [2:0] delay_55_from_0_out;
     reg [5:0] delay_57_from_0_pointer;
     reg delay_57_from_0_out;
-    reg [6:0] delay_84_from_0_pointer;
-    wire [224:0] delay_84_from_0_out;
+    reg [5:0] delay_64_from_0_pointer;
+    reg delay_64_from_0_out;
+    reg [6:0] delay_95_from_0_pointer;
+    wire [224:0] delay_95_from_0_out;
     reg [2:0] delay_7_from_1_pointer;
-    reg [56:0] delay_7_from_1_out;
+    reg [32:0] delay_7_from_1_out;
     reg [2:0] delay_8_from_1_pointer;
     reg [42:0] delay_8_from_1_out;
     reg [2:0] delay_9_from_1_pointer;
     reg [43:0] delay_9_from_1_out;
     reg [3:0] delay_10_from_1_pointer;
-    reg [231:0] delay_10_from_1_out;
+    reg [263:0] delay_10_from_1_out;
+    reg [3:0] delay_11_from_1_pointer;
+    reg delay_11_from_1_out;
+    reg [3:0] delay_12_from_1_pointer;
+    reg [8:0] delay_12_from_1_out;
     reg [3:0] delay_14_from_1_pointer;
     reg [1:0] delay_14_from_1_out;
-    reg [4:0] delay_21_from_1_pointer;
-    reg delay_21_from_1_out;
+    reg [3:0] delay_17_from_1_pointer;
+    reg [23:0] delay_17_from_1_out;
     reg [4:0] delay_26_from_1_pointer;
     reg [31:0] delay_26_from_1_out;
     reg [4:0] delay_31_from_1_pointer;
     reg [31:0] delay_31_from_1_out;
-    reg [5:0] delay_34_from_1_pointer;
-    reg [61:0] delay_34_from_1_out;
+    reg [4:0] delay_32_from_1_pointer;
+    reg delay_32_from_1_out;
     reg [5:0] delay_37_from_1_pointer;
     reg delay_37_from_1_out;
     reg [5:0] delay_41_from_1_pointer;
-    reg [63:0] delay_41_from_1_out;
-    reg [5:0] delay_42_from_1_pointer;
-    reg [127:0] delay_42_from_1_out;
+    reg [31:0] delay_41_from_1_out;
     reg [5:0] delay_43_from_1_pointer;
     reg [63:0] delay_43_from_1_out;
+    reg [5:0] delay_45_from_1_pointer;
+    reg [61:0] delay_45_from_1_out;
     reg [5:0] delay_51_from_1_pointer;
     reg [1:0] delay_51_from_1_out;
-    reg [6:0] delay_76_from_1_pointer;
-    wire delay_76_from_1_out;
+    reg [5:0] delay_52_from_1_pointer;
+    reg [31:0] delay_52_from_1_out;
+    reg [5:0] delay_53_from_1_pointer;
+    reg [127:0] delay_53_from_1_out;
+    reg [5:0] delay_61_from_1_pointer;
+    reg [26:0] delay_61_from_1_out;
+    reg [5:0] delay_62_from_1_pointer;
+    reg [26:0] delay_62_from_1_out;
+    reg [6:0] delay_86_from_1_pointer;
+    wire delay_86_from_1_out;
     reg [31:0] center_x_d1, center_x_d2, center_x_d3, center_y_d1, center_y_d2, center_y_d3, center_z_d1;
     reg [31:0] center_z_d2, center_z_d3, tangent1_x_d1, tangent1_x_d2, tangent1_x_d3, tangent1_y_d1, tangent1_y_d2;
     reg [31:0] tangent1_y_d3, tangent1_z_d1, tangent1_z_d2, tangent1_z_d3, tangent2_x_d1, tangent2_x_d2;
@@ -6878,27 +7086,24 @@ module splat_setup (
     reg [31:0] reaches_near_sum_d1_copy2, alpha_d12, alpha_d13, beta_d12, beta_d13, e_d1, e_d2;
     reg whole_d1;
     reg [31:0] spread_middle_d1, spread_middle_d2, spread_middle_d3, spread_middle_d4, spread_middle_d5;
-    reg [31:0] root_of_q_d1, spread_half_d1, spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1;
-    reg [31:0] before_far_joined_d1;
-    reg sight_disc_out_d52;
-    reg [31:0] a_x_joined_times_r_d1, a_x_joined_times_r_d2, a_x_joined_times_r_d3, a_x_joined_times_r_d4;
-    reg [31:0] b_x_joined_times_r_d1, b_x_joined_times_r_d2, b_x_joined_times_r_d3, b_x_joined_times_r_d4;
-    reg [31:0] center_x_d45, h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4, center_x_minus_t_x_d18;
-    reg [31:0] minus_h_x_d1, center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2;
-    reg [31:0] center_x_plus_first_x_joined_d1, center_x_plus_first_x_joined_d2;
+    reg [31:0] spread_half_d1, spread_half_d2, spread_half_d3, spread_half_d4, before_far_sum_d1;
+    reg [31:0] before_far_joined_d1, a_x_joined_times_r_d1, a_x_joined_times_r_d2, a_x_joined_times_r_d3;
+    reg [31:0] a_x_joined_times_r_d4, b_x_joined_times_r_d1, b_x_joined_times_r_d2, b_x_joined_times_r_d3;
+    reg [31:0] b_x_joined_times_r_d4, h_x_product_d1, h_x_product_d2, h_x_product_d3, h_x_product_d4;
+    reg [31:0] center_x_minus_first_x_joined_d1, center_x_minus_first_x_joined_d2, center_x_plus_first_x_joined_d1;
+    reg [31:0] center_x_plus_first_x_joined_d2;
     reg first_x_in_order_d1_copy3;
     reg [31:0] first_x_joined_d1_copy2, first_x_chosen_d1, first_x_chosen_d2, last_x_chosen_d1, last_x_chosen_d2;
-    reg [21:0] first_x_shifted_d1, first_x_shifted_d2, last_x_shifted_d1, last_x_lesser_d1;
-    reg [8:0] first_x_d1, last_x_d1;
+    reg [21:0] first_x_shifted_d1, first_x_shifted_d2, first_x_shifted_d3, last_x_shifted_d1, last_x_lesser_d1;
     reg [31:0] a_y_joined_times_r_d1, a_y_joined_times_r_d2, a_y_joined_times_r_d3, a_y_joined_times_r_d4;
     reg [31:0] b_y_joined_times_r_d1, b_y_joined_times_r_d2, b_y_joined_times_r_d3, b_y_joined_times_r_d4;
-    reg [31:0] center_y_d45, h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4, center_y_minus_t_y_d18;
-    reg [31:0] minus_h_y_d1, center_y_minus_first_y_joined_d1, center_y_minus_first_y_joined_d2;
-    reg [31:0] center_y_plus_first_y_joined_d1, center_y_plus_first_y_joined_d2, first_y_joined_d1_copy2;
-    reg [31:0] first_y_chosen_d1, first_y_chosen_d2, last_y_chosen_d1, last_y_chosen_d2;
-    reg [31:0] center_y_minus_filter_radius_d1, last_y_chosen_d1_copy2;
-    reg [21:0] first_y_shifted_d1, first_y_shifted_d2, last_y_shifted_d1, last_y_lesser_d1;
-    reg [8:0] first_y_d1, last_y_d1;
+    reg [31:0] center_y_d1_copy2, h_y_product_d1, h_y_product_d2, h_y_product_d3, h_y_product_d4;
+    reg [31:0] center_y_minus_first_y_joined_d1, center_y_minus_first_y_joined_d2, center_y_plus_first_y_joined_d1;
+    reg [31:0] center_y_plus_first_y_joined_d2, first_y_joined_d1_copy2, first_y_chosen_d1, first_y_chosen_d2;
+    reg [31:0] last_y_chosen_d1, last_y_chosen_d2, first_y_chosen_d1_copy2;
+    reg [21:0] first_y_shifted_d1, first_y_shifted_d2, first_y_shifted_d3;
+    reg [31:0] last_y_greater_d1;
+    reg [21:0] last_y_shifted_d1, last_y_lesser_d1;
     reg [10:0] a_x_bits_d1, a_x_bits_d11, a_y_bits_d1, a_y_bits_d11, a_exponent_d1, b_x_bits_d1, b_x_bits_d11;
     reg [10:0] b_y_bits_d1, b_y_bits_d11, b_exponent_d1, a_x_bits_plus_127_d1;
     reg not_zero_is_a_x_bits_d1, unit_delta_both_d1, a_x_bits_is_255_d1;
@@ -6971,12 +7176,34 @@ module splat_setup (
     reg unit_delta_bits_is_zero_d1;
     reg [7:0] unit_delta_product_bits_d1, unit_delta_product_bits_d2, unit_delta_product_bits_d3;
     reg [7:0] unit_delta_product_bits_d4;
-    reg edge_on_in_order_d1, doubtful_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1;
+    reg edge_on_in_order_d1, doubtful_in_order_d1;
+    reg [31:0] f_times_first_sum_sum_d1, f_times_first_sum_sum_d2, f_times_first_sum_sum_d3;
+    reg [31:0] f_times_first_sum_sum_d4, first_sum_sum_d1, first_sum_sum_d2, first_sum_sum_d3, first_sum_sum_d4;
+    reg [31:0] first_sum_product_d1, first_sum_sum_d1_copy2, first_sum_sum_d2_copy2;
+    reg [26:0] first_sum_sum_d1_copy3;
+    reg [31:0] last_sum_sum_d1, last_sum_sum_d2;
+    reg [26:0] last_sum_sum_d1_copy2;
+    reg [31:0] first_difference_sum_d1, first_difference_sum_d2, first_difference_lesser_d1;
+    reg [26:0] first_difference_sum_d1_copy2;
+    reg [31:0] last_difference_sum_d1, last_difference_sum_d2, last_difference_chosen_d1;
+    reg [26:0] last_difference_sum_d1_copy2;
+    reg [21:0] center_x_fixed_d1;
+    reg whole_and_first_sum_both_d1, whole_and_first_sum_both_d2;
+    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy3, last_sum_shifted_d1;
+    reg [26:0] first_sum_greater_d1, last_sum_lesser_d1, first_difference_difference_d1, first_difference_shifted_d1;
+    reg [26:0] first_difference_sum_d1_copy3, last_difference_sum_d1_copy3, last_difference_shifted_d1;
+    reg [26:0] last_difference_sum_d1_copy4, first_difference_greater_d1, last_difference_lesser_d1;
+    reg first_sum_up_to_last_sum_d1, first_sum_up_to_last_sum_d2, visible_in_order_d1;
+    reg [9:0] first_sum_out_d1, first_sum_out_d2, last_sum_out_d1, last_sum_out_d2, first_difference_out_d1;
+    reg [9:0] last_difference_out_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1;
     reg [31:0] ax_out_joined_d1_copy2, ay_out_joined_d1_copy2, delta_times_one_over_b_depth_d1;
-    reg [31:0] middle_depth_plus_epsilon_d1, max_f32_ftz_unit_a, max_f32_ftz_unit_b, max_f32_ftz_unit_copy2_a;
-    reg [31:0] max_f32_ftz_unit_copy2_b, max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b;
-    reg [31:0] max_f32_ftz_unit_copy4_a, max_f32_ftz_unit_copy4_b, max_f32_ftz_unit_copy5_a;
-    reg [31:0] max_f32_ftz_unit_copy5_b, max_f32_ftz_unit_copy6_a, max_f32_ftz_unit_copy6_b, lt_f32_ftz_unit_a;
+    reg [31:0] middle_depth_minus_epsilon_d1, middle_depth_plus_epsilon_d1, depth_high_out_greater_d1;
+    reg [31:0] max_f32_ftz_unit_a, max_f32_ftz_unit_b, max_f32_ftz_unit_copy2_a, max_f32_ftz_unit_copy2_b;
+    reg [31:0] max_f32_ftz_unit_copy3_a, max_f32_ftz_unit_copy3_b, max_f32_ftz_unit_copy4_a;
+    reg [31:0] max_f32_ftz_unit_copy4_b, max_f32_ftz_unit_copy5_a, max_f32_ftz_unit_copy5_b;
+    reg [31:0] max_f32_ftz_unit_copy6_a, max_f32_ftz_unit_copy6_b, max_f32_ftz_unit_copy7_a;
+    reg [31:0] max_f32_ftz_unit_copy7_b, max_f32_ftz_unit_copy8_a, max_f32_ftz_unit_copy8_b, lt_f32_ftz_unit_a;
     reg [31:0] lt_f32_ftz_unit_b, lt_f32_ftz_unit_copy2_a, lt_f32_ftz_unit_copy2_b, lt_f32_ftz_unit_copy3_a;
     reg [31:0] lt_f32_ftz_unit_copy3_b, lt_f32_ftz_unit_copy4_a, lt_f32_ftz_unit_copy4_b, lt_f32_ftz_unit_copy5_a;
     reg [31:0] lt_f32_ftz_unit_copy5_b, add_f32_ftz_unit_a, add_f32_ftz_unit_b, add_f32_ftz_unit_copy2_a;
@@ -6993,7 +7220,11 @@ module splat_setup (
     reg [31:0] add_f32_ftz_unit_copy17_b, add_f32_ftz_unit_copy18_a, add_f32_ftz_unit_copy18_b;
     reg [31:0] add_f32_ftz_unit_copy19_a, add_f32_ftz_unit_copy19_b, add_f32_ftz_unit_copy20_a;
     reg [31:0] add_f32_ftz_unit_copy20_b, add_f32_ftz_unit_copy21_a, add_f32_ftz_unit_copy21_b;
-    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b, recip_f32_ftz_unit_a;
+    reg [31:0] add_f32_ftz_unit_copy22_a, add_f32_ftz_unit_copy22_b, add_f32_ftz_unit_copy23_a;
+    reg [31:0] add_f32_ftz_unit_copy23_b, add_f32_ftz_unit_copy24_a, add_f32_ftz_unit_copy24_b;
+    reg [31:0] add_f32_ftz_unit_copy25_a, add_f32_ftz_unit_copy25_b, add_f32_ftz_unit_copy26_a;
+    reg [31:0] add_f32_ftz_unit_copy26_b, add_f32_ftz_unit_copy27_a, add_f32_ftz_unit_copy27_b;
+    reg [31:0] add_f32_ftz_unit_copy28_a, add_f32_ftz_unit_copy28_b, recip_f32_ftz_unit_a;
     reg [31:0] recip_f32_ftz_unit_copy2_a, mul_f32_ftz_unit_a, mul_f32_ftz_unit_b, mul_f32_ftz_unit_copy2_a;
     reg [31:0] mul_f32_ftz_unit_copy2_b, mul_f32_ftz_unit_copy3_a, mul_f32_ftz_unit_copy3_b;
     reg [31:0] mul_f32_ftz_unit_copy4_a, mul_f32_ftz_unit_copy4_b, mul_f32_ftz_unit_copy5_a;
@@ -7011,18 +7242,24 @@ module splat_setup (
     reg [31:0] mul_f32_ftz_unit_copy22_a, mul_f32_ftz_unit_copy22_b, mul_f32_ftz_unit_copy23_a;
     reg [31:0] mul_f32_ftz_unit_copy23_b, mul_f32_ftz_unit_copy24_a, mul_f32_ftz_unit_copy24_b;
     reg [31:0] mul_f32_ftz_unit_copy25_a, mul_f32_ftz_unit_copy25_b, mul_f32_ftz_unit_copy26_a;
-    reg [31:0] mul_f32_ftz_unit_copy26_b, mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b, sqrt_f32_ftz_unit_a;
-    reg [31:0] sqrt_f32_ftz_unit_copy2_a, le_f32_ftz_unit_a, le_f32_ftz_unit_b, le_f32_ftz_unit_copy2_a;
-    reg [31:0] le_f32_ftz_unit_copy2_b, min_f32_ftz_unit_a, min_f32_ftz_unit_b, min_f32_ftz_unit_copy2_a;
-    reg [31:0] min_f32_ftz_unit_copy2_b, min_f32_ftz_unit_copy3_a, min_f32_ftz_unit_copy3_b;
-    reg [31:0] to_fixed_f32_ftz_u21q8_unit_a, to_fixed_f32_ftz_u21q8_unit_copy2_a, to_fixed_f32_ftz_u24q24_unit_a;
+    reg [31:0] mul_f32_ftz_unit_copy26_b, mul_f32_ftz_unit_copy27_a, mul_f32_ftz_unit_copy27_b;
+    reg [31:0] mul_f32_ftz_unit_copy28_a, mul_f32_ftz_unit_copy28_b, mul_f32_ftz_unit_copy29_a;
+    reg [31:0] mul_f32_ftz_unit_copy29_b, mul_f32_ftz_unit_copy30_a, mul_f32_ftz_unit_copy30_b, sqrt_f32_ftz_unit_a;
+    reg [31:0] sqrt_f32_ftz_unit_copy2_a, sqrt_f32_ftz_unit_copy3_a, le_f32_ftz_unit_a, le_f32_ftz_unit_b;
+    reg [31:0] le_f32_ftz_unit_copy2_a, le_f32_ftz_unit_copy2_b, min_f32_ftz_unit_a, min_f32_ftz_unit_b;
+    reg [31:0] min_f32_ftz_unit_copy2_a, min_f32_ftz_unit_copy2_b, min_f32_ftz_unit_copy3_a;
+    reg [31:0] min_f32_ftz_unit_copy3_b, min_f32_ftz_unit_copy4_a, min_f32_ftz_unit_copy4_b;
+    reg [31:0] min_f32_ftz_unit_copy5_a, min_f32_ftz_unit_copy5_b, to_fixed_f32_ftz_u21q8_unit_a;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_copy2_a, to_fixed_f32_ftz_u23q8_unit_a;
+    reg [31:0] to_fixed_f32_ftz_u23q8_unit_copy2_a, to_fixed_f32_ftz_s22q8_unit_a, to_fixed_f32_ftz_u24q24_unit_a;
     reg [31:0] to_fixed_f32_ftz_u24q24_unit_copy2_a;
-    reg [83:0] in_flight;
+    reg [94:0] in_flight;
 
     wire queue_in_ready;
-    wire [685:0] queue_out_data;
+    wire [725:0] queue_out_data;
     wire [31:0] max_f32_ftz_unit_y, max_f32_ftz_unit_copy2_y, max_f32_ftz_unit_copy3_y, max_f32_ftz_unit_copy4_y;
-    wire [31:0] max_f32_ftz_unit_copy5_y, max_f32_ftz_unit_copy6_y;
+    wire [31:0] max_f32_ftz_unit_copy5_y, max_f32_ftz_unit_copy6_y, max_f32_ftz_unit_copy7_y;
+    wire [31:0] max_f32_ftz_unit_copy8_y;
     wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y, lt_f32_ftz_unit_copy3_y, lt_f32_ftz_unit_copy4_y;
     wire lt_f32_ftz_unit_copy5_y;
     wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
@@ -7031,7 +7268,9 @@ module splat_setup (
     wire [31:0] add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y;
     wire [31:0] add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y;
     wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y;
-    wire [31:0] add_f32_ftz_unit_copy20_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y, recip_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy20_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy22_y;
+    wire [31:0] add_f32_ftz_unit_copy23_y, add_f32_ftz_unit_copy24_y, add_f32_ftz_unit_copy25_y;
+    wire [31:0] add_f32_ftz_unit_copy26_y, add_f32_ftz_unit_copy27_y, add_f32_ftz_unit_copy28_y, recip_f32_ftz_unit_y;
     wire [31:0] recip_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
     wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
     wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
@@ -7040,57 +7279,61 @@ module splat_setup (
     wire [31:0] mul_f32_ftz_unit_copy16_y, mul_f32_ftz_unit_copy17_y, mul_f32_ftz_unit_copy18_y;
     wire [31:0] mul_f32_ftz_unit_copy19_y, mul_f32_ftz_unit_copy20_y, mul_f32_ftz_unit_copy21_y;
     wire [31:0] mul_f32_ftz_unit_copy22_y, mul_f32_ftz_unit_copy23_y, mul_f32_ftz_unit_copy24_y;
-    wire [31:0] mul_f32_ftz_unit_copy25_y, mul_f32_ftz_unit_copy26_y, mul_f32_ftz_unit_copy27_y, sqrt_f32_ftz_unit_y;
-    wire [31:0] sqrt_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy25_y, mul_f32_ftz_unit_copy26_y, mul_f32_ftz_unit_copy27_y;
+    wire [31:0] mul_f32_ftz_unit_copy28_y, mul_f32_ftz_unit_copy29_y, mul_f32_ftz_unit_copy30_y, sqrt_f32_ftz_unit_y;
+    wire [31:0] sqrt_f32_ftz_unit_copy2_y, sqrt_f32_ftz_unit_copy3_y;
     wire le_f32_ftz_unit_y, le_f32_ftz_unit_copy2_y;
-    wire [31:0] min_f32_ftz_unit_y, min_f32_ftz_unit_copy2_y, min_f32_ftz_unit_copy3_y;
+    wire [31:0] min_f32_ftz_unit_y, min_f32_ftz_unit_copy2_y, min_f32_ftz_unit_copy3_y, min_f32_ftz_unit_copy4_y;
+    wire [31:0] min_f32_ftz_unit_copy5_y;
     wire [20:0] to_fixed_f32_ftz_u21q8_unit_y, to_fixed_f32_ftz_u21q8_unit_copy2_y;
+    wire [22:0] to_fixed_f32_ftz_u23q8_unit_y, to_fixed_f32_ftz_u23q8_unit_copy2_y;
+    wire [21:0] to_fixed_f32_ftz_s22q8_unit_y;
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_y, to_fixed_f32_ftz_u24q24_unit_copy2_y;
 
     wire beyond_near_d7 = delay_7_from_1_out[0];
     wire reaches_near = beyond_near_d7 | lt_f32_ftz_unit_copy3_y;
-    wire end_d84 = delay_84_from_0_out[0];
-    wire reaches_near_and_visible_both = delay_76_from_1_out & visible_both_d1;
-    wire doubtful_or_visible_unequal_d44 = delay_44_from_0_out[2];
-    wire visible = reaches_near_and_visible_both & doubtful_or_visible_unequal_d44;
-    wire end_or_visible = end_d84 | visible;
-    wire queue_in_valid_both = in_flight[83] & end_or_visible & ~phase;
-    wire [31:0] center_x_d56 = delay_11_from_0_out[319:288];
-    wire [31:0] center_y_d56 = delay_11_from_0_out[351:320];
-    wire [31:0] ax_out_d41 = delay_41_from_0_out[32:1];
-    wire [31:0] bx_out_d42 = delay_42_from_1_out[31:0];
-    wire [31:0] ay_out_d41 = delay_41_from_0_out[64:33];
-    wire [31:0] by_out_d42 = delay_42_from_1_out[63:32];
-    wire edge_on_d44 = delay_44_from_0_out[0];
-    wire [31:0] delta_d42 = delay_41_from_1_out[63:32];
-    wire [31:0] delta_out = edge_on_d44 ? 32'h7fc00000 : delta_d42;
-    wire [31:0] mx_d42 = delay_42_from_1_out[95:64];
-    wire [31:0] my_d42 = delay_42_from_1_out[127:96];
-    wire sight_negative_out_d44 = delay_44_from_0_out[1];
-    wire [30:0] sight_near_out_product_bits_d34 = delay_34_from_1_out[30:0];
-    wire [30:0] sight_near_out = delay_21_from_1_out ? 31'h7fffffff : sight_near_out_product_bits_d34;
-    wire all_before_far_d20 = delay_20_from_0_out[0];
-    wire [30:0] sight_far_out_product_bits_d34 = delay_34_from_1_out[61:31];
-    wire [30:0] sight_far_out = all_before_far_d20 ? 31'd0 : sight_far_out_product_bits_d34;
-    wire turned_d81 = delay_41_from_0_out[0];
-    wire sight_disc_out_d58 = delay_6_from_0_out[32];
-    wire [23:0] depth_out_d17 = delay_17_from_0_out[216:193];
-    wire [23:0] depth_low_out_d7 = delay_7_from_1_out[56:33];
-    wire [23:0] depth_high_out_d6 = delay_6_from_0_out[56:33];
-    wire [15:0] attribute_0_d84 = delay_84_from_0_out[16:1];
-    wire [15:0] attribute_1_d84 = delay_84_from_0_out[32:17];
-    wire [15:0] attribute_2_d84 = delay_84_from_0_out[48:33];
-    wire [15:0] attribute_3_d84 = delay_84_from_0_out[64:49];
-    wire [15:0] attribute_4_d84 = delay_84_from_0_out[80:65];
-    wire [15:0] attribute_5_d84 = delay_84_from_0_out[96:81];
-    wire [15:0] attribute_6_d84 = delay_84_from_0_out[112:97];
-    wire [15:0] attribute_7_d84 = delay_84_from_0_out[128:113];
-    wire [15:0] attribute_8_d84 = delay_84_from_0_out[144:129];
-    wire [15:0] attribute_9_d84 = delay_84_from_0_out[160:145];
-    wire [15:0] attribute_10_d84 = delay_84_from_0_out[176:161];
-    wire [15:0] attribute_11_d84 = delay_84_from_0_out[192:177];
-    wire [15:0] attribute_12_d84 = delay_84_from_0_out[208:193];
-    wire [15:0] cardinal_0_d84 = delay_84_from_0_out[224:209];
+    wire end_d95 = delay_95_from_0_out[0];
+    wire doubtful_or_visible_unequal_d55 = delay_55_from_0_out[2];
+    wire visible = visible_both_d1 & doubtful_or_visible_unequal_d55;
+    wire end_or_visible = end_d95 | visible;
+    wire queue_in_valid_both = in_flight[94] & end_or_visible & ~phase;
+    wire [31:0] center_x_d67 = delay_23_from_0_out[31:0];
+    wire [31:0] center_y_d67 = delay_23_from_0_out[95:64];
+    wire [31:0] ax_out_d52 = delay_52_from_0_out[32:1];
+    wire [31:0] bx_out_d53 = delay_53_from_1_out[31:0];
+    wire [31:0] ay_out_d52 = delay_52_from_0_out[64:33];
+    wire [31:0] by_out_d53 = delay_53_from_1_out[63:32];
+    wire edge_on_d55 = delay_55_from_0_out[0];
+    wire [31:0] delta_out = edge_on_d55 ? 32'h7fc00000 : delay_52_from_1_out;
+    wire [31:0] mx_d53 = delay_53_from_1_out[95:64];
+    wire [31:0] my_d53 = delay_53_from_1_out[127:96];
+    wire sight_negative_out_d55 = delay_55_from_0_out[1];
+    wire [30:0] sight_near_out_product_bits_d45 = delay_45_from_1_out[30:0];
+    wire [30:0] sight_near_out = delay_32_from_1_out ? 31'h7fffffff : sight_near_out_product_bits_d45;
+    wire all_before_far_d31 = delay_31_from_0_out[32];
+    wire [30:0] sight_far_out_product_bits_d45 = delay_45_from_1_out[61:31];
+    wire [30:0] sight_far_out = all_before_far_d31 ? 31'd0 : sight_far_out_product_bits_d45;
+    wire turned_d92 = delay_52_from_0_out[0];
+    wire sight_disc_out_d69 = delay_7_from_0_out[33];
+    wire [23:0] depth_out_d28 = delay_28_from_0_out[87:64];
+    wire [23:0] depth_low_out_d17 = delay_17_from_0_out[216:193];
+    wire [15:0] attribute_0_d95 = delay_95_from_0_out[16:1];
+    wire [15:0] attribute_1_d95 = delay_95_from_0_out[32:17];
+    wire [15:0] attribute_2_d95 = delay_95_from_0_out[48:33];
+    wire [15:0] attribute_3_d95 = delay_95_from_0_out[64:49];
+    wire [15:0] attribute_4_d95 = delay_95_from_0_out[80:65];
+    wire [15:0] attribute_5_d95 = delay_95_from_0_out[96:81];
+    wire [15:0] attribute_6_d95 = delay_95_from_0_out[112:97];
+    wire [15:0] attribute_7_d95 = delay_95_from_0_out[128:113];
+    wire [15:0] attribute_8_d95 = delay_95_from_0_out[144:129];
+    wire [15:0] attribute_9_d95 = delay_95_from_0_out[160:145];
+    wire [15:0] attribute_10_d95 = delay_95_from_0_out[176:161];
+    wire [15:0] attribute_11_d95 = delay_95_from_0_out[192:177];
+    wire [15:0] attribute_12_d95 = delay_95_from_0_out[208:193];
+    wire [15:0] cardinal_0_d95 = delay_95_from_0_out[224:209];
+    wire [8:0] first_x_d12 = delay_12_from_0_out[41:33];
+    wire [8:0] last_x_d12 = delay_12_from_0_out[50:42];
+    wire [8:0] first_y_d11 = delay_11_from_0_out[297:289];
     wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [10:0] first_x_greater_bits_d1_bits = {3'd0, max_f32_ftz_unit_y[30:23]};
@@ -7224,39 +7467,29 @@ module splat_setup (
     wire before_far_in_order = mul_f32_ftz_unit_copy5_y[30:0] < 31'd16;
     wire [30:0] before_far_difference = mul_f32_ftz_unit_copy5_y[30:0] - 31'd16;
     wire [30:0] before_far_chosen = before_far_in_order ? 31'd0 : before_far_difference;
-    wire sight_disc_out_d51 = delay_51_from_0_out[0];
-    wire [31:0] center_x_d44 = delay_20_from_0_out[32:1];
-    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[32:1];
     wire first_x_product_bits_below_16 = mul_f32_ftz_unit_copy15_y[30:0] < 31'd16;
     wire [30:0] first_x_product_bits_minus_16 = mul_f32_ftz_unit_copy15_y[30:0] - 31'd16;
     wire [30:0] first_x_chosen_copy6 = first_x_product_bits_below_16 ? 31'd0 : first_x_product_bits_minus_16;
     wire whole_d43 = delay_12_from_0_out[0];
     wire [31:0] first_x_chosen_d17 = delay_17_from_0_out[64:33];
-    wire [31:0] first_x_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy8_y : first_x_chosen_d17;
+    wire [31:0] first_x_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy11_y : first_x_chosen_d17;
     wire [31:0] last_x_chosen_d17 = delay_17_from_0_out[96:65];
-    wire [31:0] last_x_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy11_y : last_x_chosen_d17;
+    wire [31:0] last_x_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy12_y : last_x_chosen_d17;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y} + 22'd130;
+    wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] last_x_lesser = (22'd512 < last_x_shifted_d1) ? 22'd512 : last_x_shifted_d1;
-    wire [8:0] first_x = first_x_shifted_d2[8:0];
-    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
-    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
-    wire [31:0] center_y_d44 = delay_20_from_0_out[64:33];
-    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[128:97];
     wire first_y_product_bits_below_16 = mul_f32_ftz_unit_copy24_y[30:0] < 31'd16;
     wire [30:0] first_y_product_bits_minus_16 = mul_f32_ftz_unit_copy24_y[30:0] - 31'd16;
     wire [30:0] first_y_chosen_copy6 = first_y_product_bits_below_16 ? 31'd0 : first_y_product_bits_minus_16;
     wire [31:0] first_y_chosen_d17 = delay_17_from_0_out[160:129];
-    wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy15_y : first_y_chosen_d17;
+    wire [31:0] first_y_chosen_copy9 = whole_d43 ? add_f32_ftz_unit_copy20_y : first_y_chosen_d17;
     wire [31:0] last_y_chosen_d17 = delay_17_from_0_out[192:161];
-    wire [31:0] last_y_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy18_y : last_y_chosen_d17;
-    wire [31:0] last_y_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_copy4_y : last_y_chosen_d2;
-    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_y};
+    wire [31:0] last_y_chosen_copy3 = whole_d43 ? add_f32_ftz_unit_copy21_y : last_y_chosen_d17;
+    wire sight_disc_out_d51 = delay_51_from_0_out[0];
+    wire [31:0] first_y_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_copy2_y : first_y_chosen_d2;
+    wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
     wire [21:0] last_y_lesser = (last_y_shifted_d1 < 22'd512) ? last_y_shifted_d1 : 22'd512;
-    wire [8:0] first_y = first_y_shifted_d2[8:0];
-    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
-    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
     wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy7_y[30:23]};
     wire [10:0] a_x_bits_d10 = delay_9_from_1_out[10:0];
     wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f32_ftz_unit_copy15_y[30:23]};
@@ -7307,15 +7540,15 @@ module splat_setup (
     wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
     wire [30:0] unit_delta_chosen_copy8 = unit_delta_either_copy4 ? {unit_delta_chosen_d1_copy4, b_y_bits_d1_copy2} : 31'd0;
-    wire [10:0] beta_bits_d11 = delay_11_from_0_out[362:352];
+    wire [10:0] beta_bits_d11 = delay_11_from_0_out[308:298];
     wire [10:0] a_exponent_plus_beta_bits = a_exponent_d1 + beta_bits_d11;
-    wire [10:0] alpha_bits_d11 = delay_11_from_0_out[373:363];
+    wire [10:0] alpha_bits_d11 = delay_11_from_0_out[319:309];
     wire [10:0] b_exponent_plus_alpha_bits = b_exponent_d1 + alpha_bits_d11;
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d11 + a_exponent_plus_127;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
-    wire not_zero_is_beta_bits_d12 = delay_12_from_0_out[33];
+    wire not_zero_is_beta_bits_d12 = delay_12_from_0_out[51];
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d12;
     wire beta_bits_is_255 = 11'd255 == beta_bits_d12;
     wire [10:0] mx_sum_minus_m_exponent = mx_sum_d1 - m_exponent_d1;
@@ -7326,7 +7559,7 @@ module splat_setup (
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d11 + b_exponent_plus_127;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
-    wire not_zero_is_alpha_bits_d12 = delay_12_from_0_out[34];
+    wire not_zero_is_alpha_bits_d12 = delay_12_from_0_out[52];
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d12;
     wire alpha_bits_is_255 = 11'd255 == alpha_bits_d12;
     wire [10:0] mx_sum_minus_m_exponent_copy2 = mx_sum_d1_copy2 - m_exponent_d1;
@@ -7334,7 +7567,7 @@ module splat_setup (
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [30:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d13[22:0]} : 31'd0;
     wire [10:0] largest_sum_d8 = delay_8_from_0_out[42:32];
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy22_y[30:23]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy26_y[30:23]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_sum_copy2 = largest_sum_d8 + unit_delta_bits_d1_bits;
     wire largest_sum_below_100 = largest_sum_copy2 < 11'd100;
@@ -7398,7 +7631,7 @@ module splat_setup (
     wire delta_either = delta_both_d1 | unit_delta_bits_is_255_d1;
     wire [30:0] delta_chosen_copy2 = delta_either ? {delta_chosen_d1, unit_delta_bits_d3_copy2} : 31'd0;
     wire [31:0] delta = {unit_delta_sign_d3, delta_chosen_copy2};
-    wire [10:0] mx_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy18_y[30:23]};
+    wire [10:0] mx_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy14_y[30:23]};
     wire [10:0] mx_sum_d8 = delay_8_from_0_out[53:43];
     wire [10:0] mx_sum_plus_mx_bits = mx_sum_d8 + mx_bits_d1_bits;
     wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
@@ -7408,7 +7641,7 @@ module splat_setup (
     wire mx_bits_is_255 = 11'd255 == mx_bits_d1;
     wire [10:0] mx_difference = mx_sum_plus_mx_bits_d1 - largest_d1;
     wire [10:0] mx_chosen_copy5 = mx_bits_is_255_d1 ? mx_bits_d1 : mx_difference;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy19_y[30:23]};
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f32_ftz_unit_copy15_y[30:23]};
     wire [10:0] mx_sum_plus_my_bits = mx_sum_d8 + my_bits_d1_bits;
     wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
     wire not_zero_is_my_bits = ~zero_is_my_bits;
@@ -7418,45 +7651,81 @@ module splat_setup (
     wire [10:0] my_difference = mx_sum_plus_my_bits_d1 - largest_d1;
     wire [10:0] my_chosen = my_bits_is_255_d1 ? my_bits_d1 : my_difference;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
-    wire [8:0] unit_delta_bits_plus_18_bits = {1'd0, add_f32_ftz_unit_copy22_y[30:23]};
+    wire [8:0] unit_delta_bits_plus_18_bits = {1'd0, add_f32_ftz_unit_copy26_y[30:23]};
     wire unit_delta_bits_is_zero = unit_delta_bits_plus_18_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_20 = unit_delta_bits_plus_18_bits + 9'd20;
     wire edge_on_in_order = unit_delta_bits_plus_20 < {1'd0, unit_delta_product_bits_d4};
     wire [8:0] unit_delta_bits_plus_18 = unit_delta_bits_plus_18_bits + 9'd18;
     wire doubtful_in_order = unit_delta_bits_plus_18 < {1'd0, unit_delta_product_bits_d4};
-    wire occupied_x = first_x_shifted_d2 < last_x_lesser_d1;
+    wire [26:0] first_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_y} >> 7);
+    wire [26:0] last_sum_sum = {4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} + ({4'd0, to_fixed_f32_ftz_u23q8_unit_copy2_y} >> 7);
+    wire [26:0] first_difference_sum = first_sum_sum;
+    wire sight_disc_out_d62 = delay_11_from_0_out[288];
+    wire [31:0] last_difference_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy8_y : last_difference_sum_d2;
+    wire [26:0] last_difference_sum = last_sum_sum;
+    wire whole_and_first_sum_both = delay_16_from_0_out & delay_64_from_0_out;
+    wire [26:0] first_sum_difference = delay_61_from_1_out - first_sum_sum_d1_copy3;
+    wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1_copy2 + delay_61_from_1_out;
+    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy3 + 27'h7ffff08;
+    wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
+    wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd1023)) ? last_sum_shifted_d1 : 27'd1023;
+    wire [26:0] first_difference_difference_copy2 = delay_62_from_1_out - first_difference_sum_d1_copy2;
+    wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
+    wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd511;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1_copy2 + delay_62_from_1_out;
+    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy3 + 27'd8;
+    wire [26:0] last_difference_sum_copy4 = 27'd511 + last_difference_shifted_d1;
+    wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy3)) ? first_difference_sum_d1_copy3 : 27'd0;
+    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy4) < $signed(27'd1023)) ? last_difference_sum_d1_copy4 : 27'd1023;
+    wire [26:0] last_sum = whole_and_first_sum_both_d1 ? last_sum_lesser_d1 : 27'd1023;
+    wire [26:0] first_sum = whole_and_first_sum_both_d1 ? first_sum_greater_d1 : 27'd0;
+    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum));
+    wire [26:0] last_difference = whole_and_first_sum_both_d2 ? last_difference_lesser_d1 : 27'd1023;
+    wire [26:0] first_difference = whole_and_first_sum_both_d2 ? first_difference_greater_d1 : 27'd0;
+    wire visible_in_order = ~($signed(last_difference) < $signed(first_difference));
+    wire occupied_x = first_x_shifted_d3 < last_x_lesser_d1;
     wire before_far_and_occupied_x = delay_57_from_0_out & occupied_x;
-    wire occupied_y = first_y_shifted_d2 < last_y_lesser_d1;
-    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
+    wire visible_both = first_sum_up_to_last_sum_d2 & visible_in_order_d1;
+    wire visible_both_and_visible_both = visible_both & delay_11_from_1_out;
+    wire visible_both_copy3 = delay_86_from_1_out & visible_both_and_visible_both;
     wire not_ax_out_joined_sign = ~a_x_sign_d11;
     wire not_ay_out_joined_sign = ~a_y_sign_d11;
-    wire [31:0] first_x_chosen_copy10 = sight_disc_out_d52 ? min_f32_ftz_unit_copy2_y : first_x_chosen_d2;
     wire [31:0] max_f32_ftz_unit_copy3_a_bits = {1'd0, in_tangent1_z[30:0]};
     wire [31:0] max_f32_ftz_unit_copy3_b_bits = {1'd0, in_tangent2_z[30:0]};
-    wire [31:0] first_y_chosen_copy10 = sight_disc_out_d52 ? min_f32_ftz_unit_y : first_y_chosen_d2;
+    wire [31:0] first_x_chosen_copy10 = sight_disc_out_d51 ? min_f32_ftz_unit_y : first_x_chosen_d2;
+    wire [31:0] max_f32_ftz_unit_copy5_a_choice = phase ? 32'd0 : first_sum_product_d1;
     wire beyond_near = delay_30_from_0_out & le_f32_ftz_unit_y;
     wire [31:0] center_depth_d39 = delay_8_from_1_out[31:0];
     wire [31:0] middle_depth_chosen = delay_37_from_1_out ? center_depth_d39 : 32'd0;
     wire [31:0] middle_depth = beyond_near ? spread_middle_d5 : middle_depth_chosen;
     wire not_depth_a_sign = ~depth_a[31];
-    wire [31:0] center_x_d24 = delay_24_from_0_out[31:0];
     wire [31:0] add_f32_ftz_unit_copy7_b_bits = {~mul_f32_ftz_unit_copy11_y[31], mul_f32_ftz_unit_copy11_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy9_b_bits = {~mul_f32_ftz_unit_copy14_y[31], mul_f32_ftz_unit_copy14_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy10_b_bits = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
+    wire [31:0] center_x_minus_t_x_d17 = delay_17_from_0_out[32:1];
+    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] center_y_d24 = delay_23_from_0_out[63:32];
+    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
+    wire [31:0] add_f32_ftz_unit_copy14_b_bits = {~mul_f32_ftz_unit_copy22_y[31], mul_f32_ftz_unit_copy22_y[30:0]};
+    wire [31:0] center_x_d44 = delay_20_from_0_out[31:0];
+    wire [31:0] add_f32_ftz_unit_copy15_b_bits = {~mul_f32_ftz_unit_copy24_y[31], mul_f32_ftz_unit_copy24_y[30:0]};
     wire [31:0] minus_filter_radius = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy11_b_bits = {~mul_f32_ftz_unit_copy14_y[31], mul_f32_ftz_unit_copy14_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy12_b_bits = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
-    wire [31:0] center_y_d24 = delay_24_from_0_out[63:32];
-    wire [31:0] add_f32_ftz_unit_copy14_b_bits = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy18_b_bits = {~mul_f32_ftz_unit_copy22_y[31], mul_f32_ftz_unit_copy22_y[30:0]};
-    wire [31:0] add_f32_ftz_unit_copy19_b_bits = {~mul_f32_ftz_unit_copy24_y[31], mul_f32_ftz_unit_copy24_y[30:0]};
+    wire [31:0] center_y_minus_t_y_d17 = delay_17_from_0_out[128:97];
+    wire [31:0] add_f32_ftz_unit_copy20_b_bits = {~sqrt_f32_ftz_unit_copy3_y[31], sqrt_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] t_x_plus_t_y_d28 = delay_28_from_0_out[31:0];
+    wire [31:0] t_x_minus_t_y_d28 = delay_28_from_0_out[63:32];
+    wire [31:0] center_y_d44 = delay_20_from_0_out[63:32];
     wire [31:0] middle_depth_d7 = delay_7_from_1_out[32:1];
+    wire [31:0] add_f32_ftz_unit_copy26_b_bits = {~mul_f32_ftz_unit_copy26_y[31], mul_f32_ftz_unit_copy26_y[30:0]};
     wire [31:0] f_chosen = whole_d1 ? e_d2 : delay_26_from_1_out;
     wire [31:0] b_depth_d8 = delay_8_from_0_out[31:0];
     wire [31:0] alpha_joined_d11 = delay_11_from_0_out[95:64];
     wire [31:0] beta_joined_d11 = delay_11_from_0_out[191:160];
     wire [31:0] b_depth_d31 = delay_12_from_0_out[32:1];
+    wire [31:0] abs_b_depth_d31 = delay_31_from_0_out[31:0];
     wire [31:0] spread_half_d9 = delay_5_from_0_out[32:1];
-    wire [31:0] half_depth_chosen_d41 = delay_41_from_1_out[31:0];
-    wire [31:0] half_depth = beyond_near ? spread_half_d9 : half_depth_chosen_d41;
+    wire [31:0] half_depth = beyond_near ? spread_half_d9 : delay_41_from_1_out;
     wire [31:0] v_x_chosen_d15 = delay_15_from_0_out[31:0];
     wire [31:0] a_x_joined_d11 = delay_11_from_0_out[31:0];
     wire [31:0] b_x_joined_d11 = delay_11_from_0_out[127:96];
@@ -7471,10 +7740,14 @@ module splat_setup (
     wire [31:0] t_y_sum_d10 = delay_10_from_1_out[95:64];
     wire [31:0] a_y_squared_plus_b_y_squared_d10 = delay_10_from_1_out[127:96];
     wire [31:0] first_y_chosen_d43 = delay_43_from_1_out[63:32];
+    wire [31:0] first_sum_sum_d10 = delay_10_from_1_out[263:232];
     wire [31:0] sight_near_out_joined = {not_depth_a_sign, depth_a[30:0]};
-    wire [31:0] q_d6 = delay_6_from_0_out[31:0];
-    wire [31:0] delay_31_from_0_data_bits = {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] q_d7 = delay_7_from_0_out[32:1];
     wire [31:0] last_x_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_y : last_x_chosen_d2;
+    wire [31:0] first_sum_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy5_y : first_sum_sum_d2_copy2;
+    wire [31:0] last_y_chosen_copy4 = sight_disc_out_d51 ? max_f32_ftz_unit_copy2_y : last_y_chosen_d2;
+    wire [31:0] last_sum_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy6_y : last_sum_sum_d2;
+    wire [31:0] first_difference_chosen = sight_disc_out_d62 ? max_f32_ftz_unit_copy7_y : first_difference_sum_d2;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
     wire not_turned_d18 = delay_17_from_0_out[0];
     wire [10:0] lowered_plus_m_exponent = lowered_d27 + m_exponent_d1;
@@ -7482,6 +7755,7 @@ module splat_setup (
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
     wire [10:0] largest_sum = delay_25_from_0_out + a_exponent_plus_b_exponent;
     wire [10:0] largest_sum_copy3 = lowered_plus_m_exponent + 11'd27;
+    wire [8:0] first_y = first_y_shifted_d3[8:0];
     wire beta_either = beta_both_d1 | lowered_chosen_bits_is_255_d1_copy6;
     wire [30:0] beta_chosen_copy2 = beta_either ? {beta_chosen_d1, lowered_chosen_bits_d4_copy6} : 31'd0;
     wire b_y_either = b_y_in_order_and_b_y_inverted_d1 | lowered_chosen_bits_is_255_d1_copy5;
@@ -7498,26 +7772,33 @@ module splat_setup (
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire zero_is_beta_bits = 11'd0 == {3'd0, mul_f32_ftz_unit_copy2_y[30:23]};
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
+    wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
+    wire [8:0] last_x = last_x_lesser_minus_1[8:0];
+    wire [8:0] first_x = first_x_shifted_d3[8:0];
     wire [31:0] v_y_chosen = swapped_d2 ? tangent2_y_d3 : tangent1_y_d3;
     wire [31:0] v_y_chosen_copy2 = turned ? v_y_chosen : center_y_d3;
     wire [31:0] v_x_chosen = swapped_d2 ? tangent2_x_d3 : tangent1_x_d3;
     wire [31:0] v_x_chosen_copy2 = turned ? v_x_chosen : center_x_d3;
     wire last_y_chosen_d51 = delay_51_from_1_out[1];
-    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy16_y : 32'h45fff800;
+    wire [31:0] last_y_chosen_copy2 = last_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'h45fff800;
     wire first_y_chosen_d51 = delay_51_from_1_out[0];
-    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy16_y : 32'd0;
+    wire [31:0] first_y_chosen_copy8 = first_y_chosen_d51 ? add_f32_ftz_unit_copy13_y : 32'd0;
     wire last_x_chosen_d51 = delay_51_from_0_out[2];
-    wire [31:0] last_x_chosen_copy2 = last_x_chosen_d51 ? add_f32_ftz_unit_copy9_y : 32'h45fff800;
+    wire [31:0] last_x_chosen_copy2 = last_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'h45fff800;
     wire first_x_chosen_d51 = delay_51_from_0_out[1];
-    wire [31:0] first_x_chosen_copy8 = first_x_chosen_d51 ? add_f32_ftz_unit_copy9_y : 32'd0;
+    wire [31:0] first_x_chosen_copy8 = first_x_chosen_d51 ? add_f32_ftz_unit_copy8_y : 32'd0;
     wire all_before_far = delay_30_from_0_out & le_f32_ftz_unit_copy2_y;
     wire visible_unequal = scale_x[31] ^ scale_y[31];
     wire swapped_and_turned = swapped_d2 & turned;
     wire visible_unequal_copy2 = visible_unequal ^ swapped_and_turned;
     wire turned_and_lowered_chosen_sign = turned & lowered_chosen_copy5[31];
+    wire last_x_chosen = scale_x[31] ? lt_f32_ftz_unit_copy3_y : lt_f32_ftz_unit_copy4_y;
+    wire first_x_chosen_copy7 = scale_x[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy3_y;
+    wire before_far_both = not_turned_d18 & le_f32_ftz_unit_y;
+    wire sight_disc_out = beyond_near_and_not_turned_d18 & before_far_both;
     wire [31:0] ay_out = delay_35_from_0_out ? ay_out_joined_d1_copy2 : ay_out_joined_d1;
     wire [31:0] ax_out = delay_35_from_0_out ? ax_out_joined_d1_copy2 : ax_out_joined_d1;
-    wire edge_on_lesser_below_32_d7 = delay_7_from_0_out[1];
+    wire edge_on_lesser_below_32_d7 = delay_7_from_0_out[34];
     wire doubtful_either = unit_delta_bits_is_zero_d1 | doubtful_in_order_d1;
     wire doubtful = edge_on_lesser_below_32_d7 | doubtful_either;
     wire turned_and_lowered_chosen_sign_d37 = delay_37_from_0_out[0];
@@ -7527,15 +7808,22 @@ module splat_setup (
     wire doubtful_or_visible_unequal = doubtful | visible_unequal_copy3;
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d7 | edge_on_either;
-    wire last_x_chosen = scale_x[31] ? lt_f32_ftz_unit_copy3_y : lt_f32_ftz_unit_copy4_y;
-    wire first_x_chosen_copy7 = scale_x[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy3_y;
-    wire before_far_both = not_turned_d18 & le_f32_ftz_unit_y;
-    wire sight_disc_out = beyond_near_and_not_turned_d18 & before_far_both;
     wire before_far_in_order_d14 = delay_14_from_1_out[1];
     wire before_far = before_far_both | before_far_in_order_d14;
+    wire center_x_bits_below_140 = {3'd0, add_f32_ftz_unit_copy6_y[30:23]} < 11'd140;
+    wire center_y_bits_below_140 = {3'd0, add_f32_ftz_unit_copy11_y[30:23]} < 11'd140;
+    wire first_sum_both = center_x_bits_below_140 & center_y_bits_below_140;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
+    wire occupied_y = first_y_shifted_d3 < last_y_lesser_d1;
+    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
+    wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
+    wire [8:0] last_y = last_y_lesser_minus_1[8:0];
     wire beyond_near_and_not_turned = beyond_near_d7 & not_turned_d1;
     wire [31:0] half_depth_chosen = beyond_near_and_not_turned_d14 ? min_f32_ftz_unit_y : 32'h3f800000;
+    wire [31:0] first_y_chosen_copy5 = lt_f32_ftz_unit_copy4_y ? center_y_minus_first_y_joined_d2 : center_y_plus_first_y_joined_d2;
+    wire [31:0] first_x_chosen_copy5 = first_x_in_order_d1_copy3 ? center_x_minus_first_x_joined_d2 : center_x_plus_first_x_joined_d2;
+    wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy5_y;
+    wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy5_y : lt_f32_ftz_unit_copy4_y;
     wire my_both_or_my_bits_is_255 = my_both_d1 | my_bits_is_255_d1;
     wire [30:0] my_chosen_copy2 = my_both_or_my_bits_is_255 ? my_joined_d1 : 31'd0;
     wire [31:0] my = {my_bits_d2, my_chosen_copy2};
@@ -7550,10 +7838,10 @@ module splat_setup (
     wire b_x_bits_is_255_or_bx_out_both = b_x_bits_is_255_d11 | bx_out_both_d1;
     wire [22:0] b_x_bits_d11_copy2 = delay_10_from_1_out[204:182];
     wire [30:0] bx_out_chosen_copy2 = b_x_bits_is_255_or_bx_out_both ? {bx_out_chosen_d1, b_x_bits_d11_copy2} : 31'd0;
-    wire [31:0] first_y_chosen_copy5 = lt_f32_ftz_unit_copy4_y ? center_y_minus_first_y_joined_d2 : center_y_plus_first_y_joined_d2;
-    wire [31:0] first_x_chosen_copy5 = first_x_in_order_d1_copy3 ? center_x_minus_first_x_joined_d2 : center_x_plus_first_x_joined_d2;
-    wire last_y_chosen = scale_y[31] ? lt_f32_ftz_unit_copy4_y : lt_f32_ftz_unit_copy5_y;
-    wire first_y_chosen_copy7 = scale_y[31] ? lt_f32_ftz_unit_copy5_y : lt_f32_ftz_unit_copy4_y;
+    wire [26:0] first_sum_sum_copy2_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
+    wire [26:0] first_sum_sum_copy2_bits_2 = {{5{to_fixed_f32_ftz_s22q8_unit_y[21]}}, to_fixed_f32_ftz_s22q8_unit_y};
+    wire [26:0] first_sum_sum_copy2 = first_sum_sum_copy2_bits + first_sum_sum_copy2_bits_2;
+    wire [26:0] first_difference_difference = first_sum_sum_copy2_bits - first_sum_sum_copy2_bits_2;
 
     assign in_ready = load_0;
     assign {
@@ -7562,33 +7850,34 @@ module splat_setup (
         out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3,
         out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9,
         out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left, out_right, out_top,
-        out_bottom
+        out_bottom, out_first_sum, out_last_sum, out_first_difference, out_last_difference
     } = queue_out_data;
 
-    memory_1w1r #(.WIDTH(225), .DEPTH(83)) delay_84_from_0 (
-        .clk(clk), .write(load_0), .write_address(delay_84_from_0_pointer),
+    memory_1w1r #(.WIDTH(225), .DEPTH(94)) delay_95_from_0 (
+        .clk(clk), .write(load_0), .write_address(delay_95_from_0_pointer),
         .write_data({
             in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
             in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
             in_attribute_1, in_attribute_0, in_end
         }),
-        .read(load_0), .read_address(delay_84_from_0_pointer), .read_data(delay_84_from_0_out)
+        .read(load_0), .read_address(delay_95_from_0_pointer), .read_data(delay_95_from_0_out)
     );
 
-    memory_1w1r #(.WIDTH(1), .DEPTH(75)) delay_76_from_1 (
-        .clk(clk), .write(load_1), .write_address(delay_76_from_1_pointer), .write_data(reaches_near),
-        .read(load_1), .read_address(delay_76_from_1_pointer), .read_data(delay_76_from_1_out)
+    memory_1w1r #(.WIDTH(1), .DEPTH(85)) delay_86_from_1 (
+        .clk(clk), .write(load_1), .write_address(delay_86_from_1_pointer), .write_data(reaches_near),
+        .read(load_1), .read_address(delay_86_from_1_pointer), .read_data(delay_86_from_1_out)
     );
 
-    stream_skid_w686 queue (
+    stream_skid_w726 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d84, center_x_d56, center_y_d56, ax_out_d41, bx_out_d42, ay_out_d41, by_out_d42, delta_out,
-            mx_d42, my_d42, sight_negative_out_d44, sight_near_out, sight_far_out, turned_d81, sight_disc_out_d58,
-            depth_out_d17, depth_low_out_d7, depth_high_out_d6, attribute_0_d84, attribute_1_d84, attribute_2_d84,
-            attribute_3_d84, attribute_4_d84, attribute_5_d84, attribute_6_d84, attribute_7_d84, attribute_8_d84,
-            attribute_9_d84, attribute_10_d84, attribute_11_d84, attribute_12_d84, cardinal_0_d84, first_x_d1,
-            last_x_d1, first_y_d1, last_y_d1
+            end_d95, center_x_d67, center_y_d67, ax_out_d52, bx_out_d53, ay_out_d52, by_out_d53, delta_out,
+            mx_d53, my_d53, sight_negative_out_d55, sight_near_out, sight_far_out, turned_d92, sight_disc_out_d69,
+            depth_out_d28, depth_low_out_d17, delay_17_from_1_out, attribute_0_d95, attribute_1_d95,
+            attribute_2_d95, attribute_3_d95, attribute_4_d95, attribute_5_d95, attribute_6_d95, attribute_7_d95,
+            attribute_8_d95, attribute_9_d95, attribute_10_d95, attribute_11_d95, attribute_12_d95,
+            cardinal_0_d95, first_x_d12, last_x_d12, first_y_d11, delay_12_from_1_out, first_sum_out_d2,
+            last_sum_out_d2, first_difference_out_d1, last_difference_out_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -7621,6 +7910,16 @@ module splat_setup (
     float_max_s2_f32ftz max_f32_ftz_unit_copy6 (
         .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy6_a), .b(max_f32_ftz_unit_copy6_b),
         .y(max_f32_ftz_unit_copy6_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy7 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy7_a), .b(max_f32_ftz_unit_copy7_b),
+        .y(max_f32_ftz_unit_copy7_y)
+    );
+
+    float_max_s2_f32ftz max_f32_ftz_unit_copy8 (
+        .clk(clk), .enable(queue_in_ready), .a(max_f32_ftz_unit_copy8_a), .b(max_f32_ftz_unit_copy8_b),
+        .y(max_f32_ftz_unit_copy8_y)
     );
 
     float_lt_s2_f32ftz lt_f32_ftz_unit (
@@ -7756,6 +8055,36 @@ module splat_setup (
     float_add_s6_f32ftz add_f32_ftz_unit_copy22 (
         .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy22_a), .b(add_f32_ftz_unit_copy22_b),
         .y(add_f32_ftz_unit_copy22_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy23 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy23_a), .b(add_f32_ftz_unit_copy23_b),
+        .y(add_f32_ftz_unit_copy23_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy24 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy24_a), .b(add_f32_ftz_unit_copy24_b),
+        .y(add_f32_ftz_unit_copy24_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy25 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy25_a), .b(add_f32_ftz_unit_copy25_b),
+        .y(add_f32_ftz_unit_copy25_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy26 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy26_a), .b(add_f32_ftz_unit_copy26_b),
+        .y(add_f32_ftz_unit_copy26_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy27 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy27_a), .b(add_f32_ftz_unit_copy27_b),
+        .y(add_f32_ftz_unit_copy27_y)
+    );
+
+    float_add_s6_f32ftz add_f32_ftz_unit_copy28 (
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy28_a), .b(add_f32_ftz_unit_copy28_b),
+        .y(add_f32_ftz_unit_copy28_y)
     );
 
     float_recip_s28_f32ftz recip_f32_ftz_unit (
@@ -7901,12 +8230,31 @@ module splat_setup (
         .y(mul_f32_ftz_unit_copy27_y)
     );
 
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy28 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy28_a), .b(mul_f32_ftz_unit_copy28_b),
+        .y(mul_f32_ftz_unit_copy28_y)
+    );
+
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy29 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy29_a), .b(mul_f32_ftz_unit_copy29_b),
+        .y(mul_f32_ftz_unit_copy29_y)
+    );
+
+    float_mul_s6_f32ftz mul_f32_ftz_unit_copy30 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy30_a), .b(mul_f32_ftz_unit_copy30_b),
+        .y(mul_f32_ftz_unit_copy30_y)
+    );
+
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_a), .y(sqrt_f32_ftz_unit_y)
     );
 
     float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy2_a), .y(sqrt_f32_ftz_unit_copy2_y)
+    );
+
+    float_sqrt_s26_f32ftz sqrt_f32_ftz_unit_copy3 (
+        .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_copy3_a), .y(sqrt_f32_ftz_unit_copy3_y)
     );
 
     float_le_s2_f32ftz le_f32_ftz_unit (
@@ -7934,6 +8282,16 @@ module splat_setup (
         .y(min_f32_ftz_unit_copy3_y)
     );
 
+    float_min_s2_f32ftz min_f32_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy4_a), .b(min_f32_ftz_unit_copy4_b),
+        .y(min_f32_ftz_unit_copy4_y)
+    );
+
+    float_min_s2_f32ftz min_f32_ftz_unit_copy5 (
+        .clk(clk), .enable(queue_in_ready), .a(min_f32_ftz_unit_copy5_a), .b(min_f32_ftz_unit_copy5_b),
+        .y(min_f32_ftz_unit_copy5_y)
+    );
+
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_a),
         .y(to_fixed_f32_ftz_u21q8_unit_y)
@@ -7942,6 +8300,21 @@ module splat_setup (
     float_to_fixed_s3_f32ftz_w21_f8_unsigned to_fixed_f32_ftz_u21q8_unit_copy2 (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
+    );
+
+    float_to_fixed_s3_f32ftz_w23_f8_unsigned to_fixed_f32_ftz_u23q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u23q8_unit_a),
+        .y(to_fixed_f32_ftz_u23q8_unit_y)
+    );
+
+    float_to_fixed_s3_f32ftz_w23_f8_unsigned to_fixed_f32_ftz_u23q8_unit_copy2 (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_u23q8_unit_copy2_a),
+        .y(to_fixed_f32_ftz_u23q8_unit_copy2_y)
+    );
+
+    float_to_fixed_s3_f32ftz_w22_f8_signed to_fixed_f32_ftz_s22q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f32_ftz_s22q8_unit_a),
+        .y(to_fixed_f32_ftz_s22q8_unit_y)
     );
 
     float_to_fixed_s3_f32ftz_w24_f24_unsigned to_fixed_f32_ftz_u24q24_unit (
@@ -7960,90 +8333,108 @@ module splat_setup (
             load_0 <= 1'd1;
             load_1 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_6_from_0_pointer <= 3'd0;
             delay_7_from_0_pointer <= 3'd0;
             delay_8_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
             delay_11_from_0_pointer <= 4'd0;
             delay_12_from_0_pointer <= 4'd0;
-            delay_14_from_0_pointer <= 4'd0;
+            delay_13_from_0_pointer <= 4'd0;
             delay_15_from_0_pointer <= 4'd0;
+            delay_16_from_0_pointer <= 4'd0;
             delay_17_from_0_pointer <= 4'd0;
             delay_20_from_0_pointer <= 5'd0;
+            delay_23_from_0_pointer <= 5'd0;
             delay_24_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
+            delay_28_from_0_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
             delay_31_from_0_pointer <= 5'd0;
             delay_35_from_0_pointer <= 6'd0;
             delay_37_from_0_pointer <= 6'd0;
             delay_40_from_0_pointer <= 6'd0;
-            delay_41_from_0_pointer <= 6'd0;
-            delay_44_from_0_pointer <= 6'd0;
             delay_51_from_0_pointer <= 6'd0;
+            delay_52_from_0_pointer <= 6'd0;
+            delay_55_from_0_pointer <= 6'd0;
             delay_57_from_0_pointer <= 6'd0;
-            delay_84_from_0_pointer <= 7'd0;
+            delay_64_from_0_pointer <= 6'd0;
+            delay_95_from_0_pointer <= 7'd0;
             delay_7_from_1_pointer <= 3'd0;
             delay_8_from_1_pointer <= 3'd0;
             delay_9_from_1_pointer <= 3'd0;
             delay_10_from_1_pointer <= 4'd0;
+            delay_11_from_1_pointer <= 4'd0;
+            delay_12_from_1_pointer <= 4'd0;
             delay_14_from_1_pointer <= 4'd0;
-            delay_21_from_1_pointer <= 5'd0;
+            delay_17_from_1_pointer <= 4'd0;
             delay_26_from_1_pointer <= 5'd0;
             delay_31_from_1_pointer <= 5'd0;
-            delay_34_from_1_pointer <= 6'd0;
+            delay_32_from_1_pointer <= 5'd0;
             delay_37_from_1_pointer <= 6'd0;
             delay_41_from_1_pointer <= 6'd0;
-            delay_42_from_1_pointer <= 6'd0;
             delay_43_from_1_pointer <= 6'd0;
+            delay_45_from_1_pointer <= 6'd0;
             delay_51_from_1_pointer <= 6'd0;
-            delay_76_from_1_pointer <= 7'd0;
-            in_flight <= 84'd0;
+            delay_52_from_1_pointer <= 6'd0;
+            delay_53_from_1_pointer <= 6'd0;
+            delay_61_from_1_pointer <= 6'd0;
+            delay_62_from_1_pointer <= 6'd0;
+            delay_86_from_1_pointer <= 7'd0;
+            in_flight <= 95'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & ~phase_next;
             load_1 <= advance_next & phase_next;
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
                 delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
                 delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
                 delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
                 delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
-                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+                delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
                 delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+                delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+                delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
                 delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
                 delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
                 delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
                 delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
                 delay_35_from_0_pointer <= (delay_35_from_0_pointer == 6'd33) ? (delay_35_from_0_pointer - 6'd33) : (delay_35_from_0_pointer + 6'd1);
                 delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
                 delay_40_from_0_pointer <= (delay_40_from_0_pointer == 6'd38) ? (delay_40_from_0_pointer - 6'd38) : (delay_40_from_0_pointer + 6'd1);
-                delay_41_from_0_pointer <= (delay_41_from_0_pointer == 6'd39) ? (delay_41_from_0_pointer - 6'd39) : (delay_41_from_0_pointer + 6'd1);
-                delay_44_from_0_pointer <= (delay_44_from_0_pointer == 6'd42) ? (delay_44_from_0_pointer - 6'd42) : (delay_44_from_0_pointer + 6'd1);
                 delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
+                delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
+                delay_55_from_0_pointer <= (delay_55_from_0_pointer == 6'd53) ? (delay_55_from_0_pointer - 6'd53) : (delay_55_from_0_pointer + 6'd1);
                 delay_57_from_0_pointer <= (delay_57_from_0_pointer == 6'd55) ? (delay_57_from_0_pointer - 6'd55) : (delay_57_from_0_pointer + 6'd1);
-                delay_84_from_0_pointer <= (delay_84_from_0_pointer == 7'd82) ? (delay_84_from_0_pointer - 7'd82) : (delay_84_from_0_pointer + 7'd1);
-                in_flight <= {in_flight[82:0], in_valid};
+                delay_64_from_0_pointer <= (delay_64_from_0_pointer == 6'd62) ? (delay_64_from_0_pointer - 6'd62) : (delay_64_from_0_pointer + 6'd1);
+                delay_95_from_0_pointer <= (delay_95_from_0_pointer == 7'd93) ? (delay_95_from_0_pointer - 7'd93) : (delay_95_from_0_pointer + 7'd1);
+                in_flight <= {in_flight[93:0], in_valid};
             end
             if (load_1) begin
                 delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
                 delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
                 delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
+                delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
                 delay_14_from_1_pointer <= (delay_14_from_1_pointer == 4'd12) ? (delay_14_from_1_pointer - 4'd12) : (delay_14_from_1_pointer + 4'd1);
-                delay_21_from_1_pointer <= (delay_21_from_1_pointer == 5'd19) ? (delay_21_from_1_pointer - 5'd19) : (delay_21_from_1_pointer + 5'd1);
+                delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
                 delay_26_from_1_pointer <= (delay_26_from_1_pointer == 5'd24) ? (delay_26_from_1_pointer - 5'd24) : (delay_26_from_1_pointer + 5'd1);
                 delay_31_from_1_pointer <= (delay_31_from_1_pointer == 5'd29) ? (delay_31_from_1_pointer - 5'd29) : (delay_31_from_1_pointer + 5'd1);
-                delay_34_from_1_pointer <= (delay_34_from_1_pointer == 6'd32) ? (delay_34_from_1_pointer - 6'd32) : (delay_34_from_1_pointer + 6'd1);
+                delay_32_from_1_pointer <= (delay_32_from_1_pointer == 5'd30) ? (delay_32_from_1_pointer - 5'd30) : (delay_32_from_1_pointer + 5'd1);
                 delay_37_from_1_pointer <= (delay_37_from_1_pointer == 6'd35) ? (delay_37_from_1_pointer - 6'd35) : (delay_37_from_1_pointer + 6'd1);
                 delay_41_from_1_pointer <= (delay_41_from_1_pointer == 6'd39) ? (delay_41_from_1_pointer - 6'd39) : (delay_41_from_1_pointer + 6'd1);
-                delay_42_from_1_pointer <= (delay_42_from_1_pointer == 6'd40) ? (delay_42_from_1_pointer - 6'd40) : (delay_42_from_1_pointer + 6'd1);
                 delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+                delay_45_from_1_pointer <= (delay_45_from_1_pointer == 6'd43) ? (delay_45_from_1_pointer - 6'd43) : (delay_45_from_1_pointer + 6'd1);
                 delay_51_from_1_pointer <= (delay_51_from_1_pointer == 6'd49) ? (delay_51_from_1_pointer - 6'd49) : (delay_51_from_1_pointer + 6'd1);
-                delay_76_from_1_pointer <= (delay_76_from_1_pointer == 7'd74) ? (delay_76_from_1_pointer - 7'd74) : (delay_76_from_1_pointer + 7'd1);
+                delay_52_from_1_pointer <= (delay_52_from_1_pointer == 6'd50) ? (delay_52_from_1_pointer - 6'd50) : (delay_52_from_1_pointer + 6'd1);
+                delay_53_from_1_pointer <= (delay_53_from_1_pointer == 6'd51) ? (delay_53_from_1_pointer - 6'd51) : (delay_53_from_1_pointer + 6'd1);
+                delay_61_from_1_pointer <= (delay_61_from_1_pointer == 6'd59) ? (delay_61_from_1_pointer - 6'd59) : (delay_61_from_1_pointer + 6'd1);
+                delay_62_from_1_pointer <= (delay_62_from_1_pointer == 6'd60) ? (delay_62_from_1_pointer - 6'd60) : (delay_62_from_1_pointer + 6'd1);
+                delay_86_from_1_pointer <= (delay_86_from_1_pointer == 7'd84) ? (delay_86_from_1_pointer - 7'd84) : (delay_86_from_1_pointer + 7'd1);
             end
         end
     end
@@ -8161,7 +8552,6 @@ module splat_setup (
             spread_half_d2 <= spread_half_d1;
             spread_half_d3 <= spread_half_d2;
             spread_half_d4 <= spread_half_d3;
-            sight_disc_out_d52 <= sight_disc_out_d51;
             a_x_joined_times_r_d1 <= mul_f32_ftz_unit_copy8_y;
             a_x_joined_times_r_d2 <= a_x_joined_times_r_d1;
             a_x_joined_times_r_d3 <= a_x_joined_times_r_d2;
@@ -8170,18 +8560,9 @@ module splat_setup (
             b_x_joined_times_r_d2 <= b_x_joined_times_r_d1;
             b_x_joined_times_r_d3 <= b_x_joined_times_r_d2;
             b_x_joined_times_r_d4 <= b_x_joined_times_r_d3;
-            center_x_d45 <= center_x_d44;
-            center_x_minus_t_x_d18 <= center_x_minus_t_x_d17;
-            minus_h_x_d1 <= {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
             first_x_in_order_d1_copy3 <= lt_f32_ftz_unit_copy3_y;
             first_x_joined_d1_copy2 <= {mul_f32_ftz_unit_copy15_y[31], first_x_chosen_copy6};
-            first_x_chosen_d1 <= first_x_chosen_copy9;
-            first_x_chosen_d2 <= first_x_chosen_d1;
-            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
-            first_x_shifted_d2 <= first_x_shifted_d1;
             last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            first_x_d1 <= first_x;
-            last_x_d1 <= last_x;
             a_y_joined_times_r_d1 <= mul_f32_ftz_unit_copy17_y;
             a_y_joined_times_r_d2 <= a_y_joined_times_r_d1;
             a_y_joined_times_r_d3 <= a_y_joined_times_r_d2;
@@ -8190,16 +8571,14 @@ module splat_setup (
             b_y_joined_times_r_d2 <= b_y_joined_times_r_d1;
             b_y_joined_times_r_d3 <= b_y_joined_times_r_d2;
             b_y_joined_times_r_d4 <= b_y_joined_times_r_d3;
-            center_y_d45 <= center_y_d44;
-            center_y_minus_t_y_d18 <= center_y_minus_t_y_d17;
-            minus_h_y_d1 <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+            center_y_d1_copy2 <= add_f32_ftz_unit_copy11_y;
             first_y_joined_d1_copy2 <= {mul_f32_ftz_unit_copy24_y[31], first_y_chosen_copy6};
-            first_y_chosen_d1 <= first_y_chosen_copy9;
-            first_y_chosen_d2 <= first_y_chosen_d1;
-            center_y_minus_filter_radius_d1 <= add_f32_ftz_unit_copy17_y;
-            last_y_chosen_d1_copy2 <= last_y_chosen_copy4;
+            first_y_chosen_d1_copy2 <= first_y_chosen_copy10;
+            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
+            first_y_shifted_d2 <= first_y_shifted_d1;
+            first_y_shifted_d3 <= first_y_shifted_d2;
+            last_y_greater_d1 <= max_f32_ftz_unit_copy5_y;
             last_y_lesser_d1 <= last_y_lesser;
-            first_y_d1 <= first_y;
             unit_delta_both_d1 <= unit_delta_both;
             unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
             unit_delta_both_d1_copy2 <= unit_delta_both_copy2;
@@ -8243,25 +8622,60 @@ module splat_setup (
             mx_sum_plus_mx_bits_d1 <= mx_sum_plus_mx_bits;
             not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
             mx_both_d1_copy3 <= mx_both_copy3;
-            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy18_y[22:0];
+            mx_bits_d1_copy2 <= add_f32_ftz_unit_copy14_y[22:0];
             mx_joined_d1_copy3 <= {mx_chosen_copy5[7:0], mx_bits_d1_copy2};
-            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy18_y[31];
+            mx_bits_d1_copy3 <= add_f32_ftz_unit_copy14_y[31];
             mx_bits_d2 <= mx_bits_d1_copy3;
             my_bits_d1 <= my_bits_d1_bits;
             mx_sum_plus_my_bits_d1 <= mx_sum_plus_my_bits;
             not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
             my_both_d1 <= my_both;
-            my_bits_d1_copy2 <= add_f32_ftz_unit_copy19_y[22:0];
+            my_bits_d1_copy2 <= add_f32_ftz_unit_copy15_y[22:0];
             my_joined_d1 <= {my_chosen[7:0], my_bits_d1_copy2};
-            my_bits_d1_copy3 <= add_f32_ftz_unit_copy19_y[31];
+            my_bits_d1_copy3 <= add_f32_ftz_unit_copy15_y[31];
             my_bits_d2 <= my_bits_d1_copy3;
             edge_on_lesser_d1 <= edge_on_lesser;
             unit_delta_product_bits_d1 <= mul_f32_ftz_unit_copy25_y[30:23];
             unit_delta_product_bits_d2 <= unit_delta_product_bits_d1;
             unit_delta_product_bits_d3 <= unit_delta_product_bits_d2;
             unit_delta_product_bits_d4 <= unit_delta_product_bits_d3;
+            first_sum_sum_d1 <= add_f32_ftz_unit_copy17_y;
+            first_sum_sum_d2 <= first_sum_sum_d1;
+            first_sum_sum_d3 <= first_sum_sum_d2;
+            first_sum_sum_d4 <= first_sum_sum_d3;
+            first_sum_sum_d1_copy2 <= add_f32_ftz_unit_copy22_y;
+            first_sum_sum_d2_copy2 <= first_sum_sum_d1_copy2;
+            first_sum_sum_d1_copy3 <= first_sum_sum;
+            last_sum_sum_d1 <= add_f32_ftz_unit_copy23_y;
+            last_sum_sum_d2 <= last_sum_sum_d1;
+            last_sum_sum_d1_copy2 <= last_sum_sum;
+            first_difference_sum_d1 <= add_f32_ftz_unit_copy24_y;
+            first_difference_sum_d2 <= first_difference_sum_d1;
+            first_difference_lesser_d1 <= min_f32_ftz_unit_copy5_y;
+            last_difference_sum_d1 <= add_f32_ftz_unit_copy25_y;
+            last_difference_sum_d2 <= last_difference_sum_d1;
+            center_x_fixed_d1 <= to_fixed_f32_ftz_s22q8_unit_y;
+            whole_and_first_sum_both_d1 <= whole_and_first_sum_both;
+            whole_and_first_sum_both_d2 <= whole_and_first_sum_both_d1;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy2;
+            last_difference_sum_d1_copy4 <= last_difference_sum_copy4;
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            first_sum_up_to_last_sum_d2 <= first_sum_up_to_last_sum_d1;
+            visible_in_order_d1 <= visible_in_order;
+            first_sum_out_d1 <= first_sum[9:0];
+            first_sum_out_d2 <= first_sum_out_d1;
+            last_sum_out_d1 <= last_sum[9:0];
+            last_sum_out_d2 <= last_sum_out_d1;
+            first_difference_out_d1 <= first_difference[9:0];
+            last_difference_out_d1 <= last_difference[9:0];
             before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
-            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy21_y;
+            middle_depth_minus_epsilon_d1 <= add_f32_ftz_unit_copy26_y;
+            middle_depth_plus_epsilon_d1 <= add_f32_ftz_unit_copy27_y;
+            depth_high_out_greater_d1 <= max_f32_ftz_unit_copy8_y;
         end
         if (load_1) begin
             first_x_greater_bits_d1 <= first_x_greater_bits_d1_bits;
@@ -8359,34 +8773,37 @@ module splat_setup (
             spread_middle_d3 <= spread_middle_d2;
             spread_middle_d4 <= spread_middle_d3;
             spread_middle_d5 <= spread_middle_d4;
-            root_of_q_d1 <= sqrt_f32_ftz_unit_y;
             before_far_sum_d1 <= add_f32_ftz_unit_copy5_y;
             before_far_joined_d1 <= {mul_f32_ftz_unit_copy5_y[31], before_far_chosen};
             h_x_product_d1 <= mul_f32_ftz_unit_copy12_y;
             h_x_product_d2 <= h_x_product_d1;
             h_x_product_d3 <= h_x_product_d2;
             h_x_product_d4 <= h_x_product_d3;
-            center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy12_y;
+            center_x_minus_first_x_joined_d1 <= add_f32_ftz_unit_copy13_y;
             center_x_minus_first_x_joined_d2 <= center_x_minus_first_x_joined_d1;
-            center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy13_y;
+            center_x_plus_first_x_joined_d1 <= add_f32_ftz_unit_copy14_y;
             center_x_plus_first_x_joined_d2 <= center_x_plus_first_x_joined_d1;
+            first_x_chosen_d1 <= first_x_chosen_copy9;
+            first_x_chosen_d2 <= first_x_chosen_d1;
             last_x_chosen_d1 <= last_x_chosen_copy3;
             last_x_chosen_d2 <= last_x_chosen_d1;
+            first_x_shifted_d1 <= first_x_greater_fixed_plus_126 >> 8;
+            first_x_shifted_d2 <= first_x_shifted_d1;
+            first_x_shifted_d3 <= first_x_shifted_d2;
             last_x_lesser_d1 <= last_x_lesser;
             h_y_product_d1 <= mul_f32_ftz_unit_copy20_y;
             h_y_product_d2 <= h_y_product_d1;
             h_y_product_d3 <= h_y_product_d2;
             h_y_product_d4 <= h_y_product_d3;
-            center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy19_y;
+            center_y_minus_first_y_joined_d1 <= add_f32_ftz_unit_copy22_y;
             center_y_minus_first_y_joined_d2 <= center_y_minus_first_y_joined_d1;
-            center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy20_y;
+            center_y_plus_first_y_joined_d1 <= add_f32_ftz_unit_copy23_y;
             center_y_plus_first_y_joined_d2 <= center_y_plus_first_y_joined_d1;
+            first_y_chosen_d1 <= first_y_chosen_copy9;
+            first_y_chosen_d2 <= first_y_chosen_d1;
             last_y_chosen_d1 <= last_y_chosen_copy3;
             last_y_chosen_d2 <= last_y_chosen_d1;
-            first_y_shifted_d1 <= first_y_greater_fixed_plus_126 >> 8;
-            first_y_shifted_d2 <= first_y_shifted_d1;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
-            last_y_d1 <= last_y;
             a_x_bits_d1 <= a_x_bits_d1_bits;
             a_x_bits_d11 <= a_x_bits_d10;
             a_y_bits_d1 <= a_y_bits_d1_bits;
@@ -8443,10 +8860,10 @@ module splat_setup (
             not_zero_is_unit_delta_bits_d2 <= not_zero_is_unit_delta_bits_d1;
             not_zero_is_unit_delta_bits_d3 <= not_zero_is_unit_delta_bits_d2;
             unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy22_y[22:0];
+            unit_delta_bits_d1_copy2 <= add_f32_ftz_unit_copy26_y[22:0];
             unit_delta_bits_d2_copy2 <= unit_delta_bits_d1_copy2;
             unit_delta_bits_d3_copy2 <= unit_delta_bits_d2_copy2;
-            unit_delta_sign_d1 <= add_f32_ftz_unit_copy22_y[31];
+            unit_delta_sign_d1 <= add_f32_ftz_unit_copy26_y[31];
             unit_delta_sign_d2 <= unit_delta_sign_d1;
             unit_delta_sign_d3 <= unit_delta_sign_d2;
             delta_d1 <= delta;
@@ -8455,31 +8872,51 @@ module splat_setup (
             unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
             edge_on_in_order_d1 <= edge_on_in_order;
             doubtful_in_order_d1 <= doubtful_in_order;
-            visible_both_d1 <= visible_both;
+            f_times_first_sum_sum_d1 <= mul_f32_ftz_unit_copy26_y;
+            f_times_first_sum_sum_d2 <= f_times_first_sum_sum_d1;
+            f_times_first_sum_sum_d3 <= f_times_first_sum_sum_d2;
+            f_times_first_sum_sum_d4 <= f_times_first_sum_sum_d3;
+            first_sum_product_d1 <= mul_f32_ftz_unit_copy27_y;
+            first_difference_sum_d1_copy2 <= first_difference_sum;
+            last_difference_chosen_d1 <= last_difference_chosen;
+            last_difference_sum_d1_copy2 <= last_difference_sum;
+            first_sum_difference_d1 <= first_sum_difference;
+            last_sum_sum_d1_copy3 <= last_sum_sum_copy2;
+            first_sum_greater_d1 <= first_sum_greater;
+            last_sum_lesser_d1 <= last_sum_lesser;
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            first_difference_greater_d1 <= first_difference_greater;
+            last_difference_lesser_d1 <= last_difference_lesser;
+            visible_both_d1 <= visible_both_copy3;
             ax_out_joined_d1_copy2 <= {not_ax_out_joined_sign, ax_out_chosen_copy2};
             ay_out_joined_d1_copy2 <= {not_ay_out_joined_sign, ay_out_chosen_copy2};
-            delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy25_y;
+            delta_times_one_over_b_depth_d1 <= mul_f32_ftz_unit_copy28_y;
         end
         if (queue_in_ready) begin
             max_f32_ftz_unit_a <= phase ? last_x_chosen_copy3 : {1'd0, in_tangent1_x[30:0]};
-            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy14_y : {1'd0, in_tangent2_x[30:0]};
-            max_f32_ftz_unit_copy2_a <= phase ? 32'd0 : {1'd0, in_tangent1_y[30:0]};
-            max_f32_ftz_unit_copy2_b <= phase ? first_x_chosen_copy10 : {1'd0, in_tangent2_y[30:0]};
+            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy16_y : {1'd0, in_tangent2_x[30:0]};
+            max_f32_ftz_unit_copy2_a <= phase ? last_y_chosen_copy3 : {1'd0, in_tangent1_y[30:0]};
+            max_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy25_y : {1'd0, in_tangent2_y[30:0]};
             max_f32_ftz_unit_copy3_a <= phase ? 32'd0 : max_f32_ftz_unit_copy3_a_bits;
-            max_f32_ftz_unit_copy3_b <= phase ? min_f32_ftz_unit_copy3_y : max_f32_ftz_unit_copy3_b_bits;
-            max_f32_ftz_unit_copy4_a <= phase ? last_y_chosen_copy3 : 32'd0;
-            max_f32_ftz_unit_copy4_b <= phase ? add_f32_ftz_unit_copy21_y : first_y_chosen_copy10;
-            max_f32_ftz_unit_copy5_a <= 32'd0;
-            max_f32_ftz_unit_copy5_b <= phase ? middle_depth : min_f32_ftz_unit_copy3_y;
-            max_f32_ftz_unit_copy6_a <= 32'd0;
-            max_f32_ftz_unit_copy6_b <= phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy20_y;
+            max_f32_ftz_unit_copy3_b <= phase ? first_y_chosen_d1_copy2 : max_f32_ftz_unit_copy3_b_bits;
+            max_f32_ftz_unit_copy4_a <= 32'd0;
+            max_f32_ftz_unit_copy4_b <= phase ? min_f32_ftz_unit_copy2_y : first_x_chosen_copy10;
+            max_f32_ftz_unit_copy5_a <= max_f32_ftz_unit_copy5_a_choice;
+            max_f32_ftz_unit_copy5_b <= phase ? min_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy22_y;
+            max_f32_ftz_unit_copy6_a <= max_f32_ftz_unit_copy5_a_choice;
+            max_f32_ftz_unit_copy6_b <= phase ? middle_depth : add_f32_ftz_unit_copy23_y;
+            max_f32_ftz_unit_copy7_a <= max_f32_ftz_unit_copy5_a_choice;
+            max_f32_ftz_unit_copy7_b <= phase ? middle_depth_minus_epsilon_d1 : add_f32_ftz_unit_copy24_y;
+            max_f32_ftz_unit_copy8_a <= max_f32_ftz_unit_copy5_a_choice;
+            max_f32_ftz_unit_copy8_b <= phase ? middle_depth_plus_epsilon_d1 : add_f32_ftz_unit_copy25_y;
             lt_f32_ftz_unit_a <= phase ? center_z_d2 : near_plane;
             lt_f32_ftz_unit_b <= phase ? max_f32_ftz_unit_copy3_y : in_center_z;
             lt_f32_ftz_unit_copy2_a <= phase ? 32'h39800000 : max_f32_ftz_unit_copy3_a_bits;
             lt_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy3_b_bits;
             lt_f32_ftz_unit_copy3_a <= phase ? 32'd0 : near_plane;
-            lt_f32_ftz_unit_copy3_b <= phase ? add_f32_ftz_unit_copy12_y : reaches_near_sum_d1_copy2;
-            lt_f32_ftz_unit_copy4_a <= phase ? add_f32_ftz_unit_copy13_y : 32'd0;
+            lt_f32_ftz_unit_copy3_b <= phase ? add_f32_ftz_unit_copy13_y : reaches_near_sum_d1_copy2;
+            lt_f32_ftz_unit_copy4_a <= phase ? add_f32_ftz_unit_copy14_y : 32'd0;
             lt_f32_ftz_unit_copy4_b <= phase ? 32'd0 : center_y_minus_first_y_joined_d1;
             lt_f32_ftz_unit_copy5_a <= center_y_plus_first_y_joined_d1;
             lt_f32_ftz_unit_copy5_b <= 32'd0;
@@ -8495,49 +8932,61 @@ module splat_setup (
             add_f32_ftz_unit_copy5_b <= phase ? {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]} : {~reaches_near_joined_d1[31], reaches_near_joined_d1[30:0]};
             add_f32_ftz_unit_copy6_a <= phase ? origin_x : spread_middle_d1;
             add_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy10_y : spread_half_d4;
-            add_f32_ftz_unit_copy7_a <= phase ? center_x_d24 : mul_f32_ftz_unit_copy6_y;
+            add_f32_ftz_unit_copy7_a <= phase ? delay_24_from_0_out : mul_f32_ftz_unit_copy6_y;
             add_f32_ftz_unit_copy7_b <= phase ? add_f32_ftz_unit_copy7_b_bits : epsilon_bias;
-            add_f32_ftz_unit_copy8_a <= phase ? center_x_minus_t_x_d18 : mul_f32_ftz_unit_copy10_y;
-            add_f32_ftz_unit_copy8_b <= phase ? minus_h_x_d1 : mul_f32_ftz_unit_copy11_y;
-            add_f32_ftz_unit_copy9_a <= phase ? origin_x : mul_f32_ftz_unit_copy13_y;
-            add_f32_ftz_unit_copy9_b <= phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy14_y;
-            add_f32_ftz_unit_copy10_a <= phase ? center_x_d45 : mul_f32_ftz_unit_copy12_y;
-            add_f32_ftz_unit_copy10_b <= phase ? minus_filter_radius : h_x_product_d4;
-            add_f32_ftz_unit_copy11_a <= phase ? a_y_joined_times_r_d4 : sqrt_f32_ftz_unit_y;
-            add_f32_ftz_unit_copy11_b <= phase ? add_f32_ftz_unit_copy11_b_bits : center_x_minus_t_x_d17;
-            add_f32_ftz_unit_copy12_a <= phase ? b_y_joined_times_r_d4 : center_x_d3;
-            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
+            add_f32_ftz_unit_copy8_a <= phase ? origin_x : mul_f32_ftz_unit_copy10_y;
+            add_f32_ftz_unit_copy8_b <= phase ? first_x_joined_d1_copy2 : mul_f32_ftz_unit_copy11_y;
+            add_f32_ftz_unit_copy9_a <= phase ? a_y_joined_times_r_d4 : mul_f32_ftz_unit_copy13_y;
+            add_f32_ftz_unit_copy9_b <= phase ? add_f32_ftz_unit_copy9_b_bits : mul_f32_ftz_unit_copy14_y;
+            add_f32_ftz_unit_copy10_a <= phase ? b_y_joined_times_r_d4 : mul_f32_ftz_unit_copy12_y;
+            add_f32_ftz_unit_copy10_b <= phase ? add_f32_ftz_unit_copy10_b_bits : h_x_product_d4;
+            add_f32_ftz_unit_copy11_a <= phase ? origin_y : center_x_minus_t_x_d17;
+            add_f32_ftz_unit_copy11_b <= phase ? mul_f32_ftz_unit_copy18_y : add_f32_ftz_unit_copy11_b_bits;
+            add_f32_ftz_unit_copy12_a <= phase ? center_y_d24 : sqrt_f32_ftz_unit_copy2_y;
+            add_f32_ftz_unit_copy12_b <= phase ? add_f32_ftz_unit_copy12_b_bits : center_x_minus_t_x_d17;
             add_f32_ftz_unit_copy13_a <= phase ? origin_y : center_x_d3;
-            add_f32_ftz_unit_copy13_b <= phase ? mul_f32_ftz_unit_copy18_y : first_x_joined_d1;
-            add_f32_ftz_unit_copy14_a <= phase ? center_y_d24 : filter_radius;
-            add_f32_ftz_unit_copy14_b <= phase ? add_f32_ftz_unit_copy14_b_bits : center_x_d44;
-            add_f32_ftz_unit_copy15_a <= phase ? center_y_minus_t_y_d18 : mul_f32_ftz_unit_copy19_y;
-            add_f32_ftz_unit_copy15_b <= phase ? minus_h_y_d1 : mul_f32_ftz_unit_copy20_y;
-            add_f32_ftz_unit_copy16_a <= phase ? origin_y : mul_f32_ftz_unit_copy22_y;
-            add_f32_ftz_unit_copy16_b <= phase ? first_y_joined_d1_copy2 : mul_f32_ftz_unit_copy23_y;
-            add_f32_ftz_unit_copy17_a <= phase ? minus_filter_radius : mul_f32_ftz_unit_copy21_y;
-            add_f32_ftz_unit_copy17_b <= phase ? center_y_d45 : h_y_product_d4;
-            add_f32_ftz_unit_copy18_a <= phase ? mx_product_d1 : sqrt_f32_ftz_unit_copy2_y;
-            add_f32_ftz_unit_copy18_b <= phase ? add_f32_ftz_unit_copy18_b_bits : center_y_minus_t_y_d17;
-            add_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy23_y : center_y_d3;
-            add_f32_ftz_unit_copy19_b <= phase ? add_f32_ftz_unit_copy19_b_bits : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
-            add_f32_ftz_unit_copy20_a <= phase ? middle_depth_d7 : center_y_d3;
-            add_f32_ftz_unit_copy20_b <= phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : first_y_joined_d1;
-            add_f32_ftz_unit_copy21_a <= phase ? middle_depth_d7 : filter_radius;
-            add_f32_ftz_unit_copy21_b <= phase ? add_f32_ftz_unit_copy7_y : center_y_d44;
-            add_f32_ftz_unit_copy22_a <= mul_f32_ftz_unit_copy25_y;
-            add_f32_ftz_unit_copy22_b <= {~mul_f32_ftz_unit_copy26_y[31], mul_f32_ftz_unit_copy26_y[30:0]};
+            add_f32_ftz_unit_copy13_b <= phase ? first_y_joined_d1_copy2 : {~first_x_joined_d1[31], first_x_joined_d1[30:0]};
+            add_f32_ftz_unit_copy14_a <= phase ? mx_product_d1 : center_x_d3;
+            add_f32_ftz_unit_copy14_b <= phase ? add_f32_ftz_unit_copy14_b_bits : first_x_joined_d1;
+            add_f32_ftz_unit_copy15_a <= phase ? mul_f32_ftz_unit_copy23_y : center_x_d44;
+            add_f32_ftz_unit_copy15_b <= phase ? add_f32_ftz_unit_copy15_b_bits : minus_filter_radius;
+            add_f32_ftz_unit_copy16_a <= phase ? add_f32_ftz_unit_copy10_y : filter_radius;
+            add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy19_y : center_x_d44;
+            add_f32_ftz_unit_copy17_a <= phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy19_y;
+            add_f32_ftz_unit_copy17_b <= phase ? add_f32_ftz_unit_copy28_y : mul_f32_ftz_unit_copy20_y;
+            add_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy25_y : mul_f32_ftz_unit_copy22_y;
+            add_f32_ftz_unit_copy18_b <= phase ? first_sum_sum_d4 : mul_f32_ftz_unit_copy23_y;
+            add_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy11_y : mul_f32_ftz_unit_copy21_y;
+            add_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy19_y : h_y_product_d4;
+            add_f32_ftz_unit_copy20_a <= phase ? mul_f32_ftz_unit_copy25_y : center_y_minus_t_y_d17;
+            add_f32_ftz_unit_copy20_b <= phase ? {~first_sum_sum_d4[31], first_sum_sum_d4[30:0]} : add_f32_ftz_unit_copy20_b_bits;
+            add_f32_ftz_unit_copy21_a <= phase ? mul_f32_ftz_unit_copy11_y : sqrt_f32_ftz_unit_copy3_y;
+            add_f32_ftz_unit_copy21_b <= phase ? add_f32_ftz_unit_copy12_b_bits : center_y_minus_t_y_d17;
+            add_f32_ftz_unit_copy22_a <= phase ? t_x_plus_t_y_d28 : center_y_d3;
+            add_f32_ftz_unit_copy22_b <= phase ? sqrt_f32_ftz_unit_y : {~first_y_joined_d1[31], first_y_joined_d1[30:0]};
+            add_f32_ftz_unit_copy23_a <= phase ? sqrt_f32_ftz_unit_y : center_y_d3;
+            add_f32_ftz_unit_copy23_b <= phase ? {~t_x_plus_t_y_d28[31], t_x_plus_t_y_d28[30:0]} : first_y_joined_d1;
+            add_f32_ftz_unit_copy24_a <= phase ? t_x_minus_t_y_d28 : minus_filter_radius;
+            add_f32_ftz_unit_copy24_b <= phase ? sqrt_f32_ftz_unit_copy2_y : center_y_d44;
+            add_f32_ftz_unit_copy25_a <= phase ? sqrt_f32_ftz_unit_copy2_y : filter_radius;
+            add_f32_ftz_unit_copy25_b <= phase ? {~t_x_minus_t_y_d28[31], t_x_minus_t_y_d28[30:0]} : center_y_d44;
+            add_f32_ftz_unit_copy26_a <= phase ? middle_depth_d7 : mul_f32_ftz_unit_copy25_y;
+            add_f32_ftz_unit_copy26_b <= phase ? {~add_f32_ftz_unit_copy7_y[31], add_f32_ftz_unit_copy7_y[30:0]} : add_f32_ftz_unit_copy26_b_bits;
+            add_f32_ftz_unit_copy27_a <= phase ? middle_depth_d7 : mul_f32_ftz_unit_copy29_y;
+            add_f32_ftz_unit_copy27_b <= phase ? add_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy30_y;
+            add_f32_ftz_unit_copy28_a <= mul_f32_ftz_unit_copy28_y;
+            add_f32_ftz_unit_copy28_b <= f_times_first_sum_sum_d4;
             recip_f32_ftz_unit_a <= phase ? f_chosen : lowered_chosen_copy5;
             recip_f32_ftz_unit_copy2_a <= b_depth_d8;
             mul_f32_ftz_unit_a <= phase ? alpha_joined_d11 : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy2_a <= phase ? beta_joined_d11 : mul_f32_ftz_unit_copy2_y;
             mul_f32_ftz_unit_copy2_b <= phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy3_a <= phase ? recip_f32_ftz_unit_y : delay_14_from_0_out;
+            mul_f32_ftz_unit_copy3_a <= phase ? recip_f32_ftz_unit_y : delay_13_from_0_out;
             mul_f32_ftz_unit_copy3_b <= phase ? depth_b : recip_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy4_a <= phase ? b_depth_d31 : recip_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy4_b <= phase ? mul_f32_ftz_unit_copy3_y : root_of_q_d1;
-            mul_f32_ftz_unit_copy5_a <= phase ? delay_31_from_0_out : add_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy4_b <= phase ? mul_f32_ftz_unit_copy3_y : sqrt_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy5_a <= phase ? abs_b_depth_d31 : add_f32_ftz_unit_copy3_y;
             mul_f32_ftz_unit_copy5_b <= phase ? mul_f32_ftz_unit_copy4_y : before_far_sum_d1;
             mul_f32_ftz_unit_copy6_a <= phase ? half_depth : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy6_b <= phase ? epsilon_scale : mul_f32_ftz_unit_copy7_y;
@@ -8558,11 +9007,11 @@ module splat_setup (
             mul_f32_ftz_unit_copy14_a <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy14_b <= phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy16_y;
             mul_f32_ftz_unit_copy15_a <= phase ? mul_f32_ftz_unit_copy13_y : scale_y;
-            mul_f32_ftz_unit_copy15_b <= phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy15_b <= phase ? first_x_chosen_d43 : add_f32_ftz_unit_copy9_y;
             mul_f32_ftz_unit_copy16_a <= phase ? v_y_chosen_d15 : mul_f32_ftz_unit_copy2_y;
             mul_f32_ftz_unit_copy16_b <= mul_f32_ftz_unit_copy16_b_choice;
             mul_f32_ftz_unit_copy17_a <= phase ? a_y_joined_d11 : scale_y;
-            mul_f32_ftz_unit_copy17_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy12_y;
+            mul_f32_ftz_unit_copy17_b <= phase ? recip_f32_ftz_unit_y : add_f32_ftz_unit_copy10_y;
             mul_f32_ftz_unit_copy18_a <= phase ? b_y_joined_d11 : scale_y;
             mul_f32_ftz_unit_copy18_b <= mul_f32_ftz_unit_copy16_b_choice;
             mul_f32_ftz_unit_copy19_a <= phase ? alpha_d11 : recip_f32_ftz_unit_y;
@@ -8577,28 +9026,42 @@ module splat_setup (
             mul_f32_ftz_unit_copy23_b <= phase ? mul_f32_ftz_unit_copy17_y : mx_joined_d1_copy2;
             mul_f32_ftz_unit_copy24_a <= phase ? mul_f32_ftz_unit_copy21_y : unit_delta_joined_d2;
             mul_f32_ftz_unit_copy24_b <= phase ? first_y_chosen_d43 : mx_joined_d1;
-            mul_f32_ftz_unit_copy25_a <= phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : delta_d1;
-            mul_f32_ftz_unit_copy25_b <= phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : recip_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy26_a <= phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : delta_times_one_over_b_depth_d1;
-            mul_f32_ftz_unit_copy26_b <= phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : sight_near_out_joined;
-            mul_f32_ftz_unit_copy27_a <= phase ? unit_delta_joined_d1_copy2 : delay_40_from_0_out;
-            mul_f32_ftz_unit_copy27_b <= phase ? mx_joined_d1_bits : delta_times_one_over_b_depth_d1;
-            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy10_y : q_d6;
-            sqrt_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy17_y;
+            mul_f32_ftz_unit_copy25_a <= phase ? {a_x_sign_d1, unit_delta_chosen_copy2} : 32'h3f800008;
+            mul_f32_ftz_unit_copy25_b <= phase ? {b_y_sign_d1, unit_delta_chosen_copy8} : add_f32_ftz_unit_copy16_y;
+            mul_f32_ftz_unit_copy26_a <= phase ? {a_y_sign_d1, unit_delta_chosen_copy4} : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy26_b <= phase ? {b_x_sign_d1, unit_delta_chosen_copy6} : first_sum_sum_d10;
+            mul_f32_ftz_unit_copy27_a <= phase ? unit_delta_joined_d1_copy2 : filter_radius;
+            mul_f32_ftz_unit_copy27_b <= phase ? mx_joined_d1_bits : 32'h3fb60000;
+            mul_f32_ftz_unit_copy28_a <= phase ? mul_f32_ftz_unit_copy11_y : delta_d1;
+            mul_f32_ftz_unit_copy28_b <= phase ? mul_f32_ftz_unit_copy19_y : recip_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy29_a <= phase ? mul_f32_ftz_unit_copy7_y : delta_times_one_over_b_depth_d1;
+            mul_f32_ftz_unit_copy29_b <= phase ? mul_f32_ftz_unit_copy15_y : sight_near_out_joined;
+            mul_f32_ftz_unit_copy30_a <= phase ? mul_f32_ftz_unit_copy9_y : delay_40_from_0_out;
+            mul_f32_ftz_unit_copy30_b <= phase ? mul_f32_ftz_unit_copy17_y : delta_times_one_over_b_depth_d1;
+            sqrt_f32_ftz_unit_a <= phase ? q_d7 : add_f32_ftz_unit_copy18_y;
+            sqrt_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy10_y : add_f32_ftz_unit_copy20_y;
+            sqrt_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy19_y;
             le_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy3_y : 32'd0;
             le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy2_y;
             le_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy6_y : depth_b;
             le_f32_ftz_unit_copy2_b <= phase ? 32'h3f800000 : before_far_joined_d1;
-            min_f32_ftz_unit_a <= phase ? first_y_chosen_d1 : 32'h3f800000;
-            min_f32_ftz_unit_b <= phase ? center_y_minus_filter_radius_d1 : delay_31_from_0_data_bits;
-            min_f32_ftz_unit_copy2_a <= first_x_chosen_copy9;
-            min_f32_ftz_unit_copy2_b <= add_f32_ftz_unit_copy10_y;
-            min_f32_ftz_unit_copy3_a <= 32'h45fff800;
-            min_f32_ftz_unit_copy3_b <= phase ? last_y_chosen_d1_copy2 : last_x_chosen_copy4;
-            to_fixed_f32_ftz_u21q8_unit_a <= phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy2_y;
-            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? max_f32_ftz_unit_copy5_y : max_f32_ftz_unit_copy3_y;
-            to_fixed_f32_ftz_u24q24_unit_a <= phase ? max_f32_ftz_unit_copy6_y : max_f32_ftz_unit_copy5_y;
-            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy6_y;
+            min_f32_ftz_unit_a <= phase ? first_x_chosen_copy9 : 32'h3f800000;
+            min_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy15_y : {1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+            min_f32_ftz_unit_copy2_a <= phase ? first_y_chosen_copy9 : 32'h45fff800;
+            min_f32_ftz_unit_copy2_b <= phase ? add_f32_ftz_unit_copy24_y : last_x_chosen_copy4;
+            min_f32_ftz_unit_copy3_a <= phase ? 32'h47000000 : 32'h45fff800;
+            min_f32_ftz_unit_copy3_b <= phase ? first_sum_chosen : last_y_chosen_copy4;
+            min_f32_ftz_unit_copy4_a <= 32'h47000000;
+            min_f32_ftz_unit_copy4_b <= phase ? last_sum_chosen : last_difference_chosen_d1;
+            min_f32_ftz_unit_copy5_a <= 32'h47000000;
+            min_f32_ftz_unit_copy5_b <= first_difference_chosen;
+            to_fixed_f32_ftz_u21q8_unit_a <= max_f32_ftz_unit_copy4_y;
+            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? last_y_greater_d1 : max_f32_ftz_unit_copy3_y;
+            to_fixed_f32_ftz_u23q8_unit_a <= phase ? first_difference_lesser_d1 : min_f32_ftz_unit_copy3_y;
+            to_fixed_f32_ftz_u23q8_unit_copy2_a <= min_f32_ftz_unit_copy4_y;
+            to_fixed_f32_ftz_s22q8_unit_a <= phase ? center_y_d1_copy2 : add_f32_ftz_unit_copy6_y;
+            to_fixed_f32_ftz_u24q24_unit_a <= phase ? depth_high_out_greater_d1 : max_f32_ftz_unit_copy6_y;
+            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy7_y;
         end
     end
     always @(posedge clk) begin
@@ -8607,13 +9070,7 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, sight_disc_out_d52, add_f32_ftz_unit_y};
-        end
-        if (load_0) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= {edge_on_lesser_below_32, not_turned_d18};
+            delay_7_from_0[delay_7_from_0_pointer] <= {edge_on_lesser_below_32, sight_disc_out_d62, add_f32_ftz_unit_y, not_turned_d18};
         end
         if (load_0) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
@@ -8630,7 +9087,7 @@ module splat_setup (
     always @(posedge clk) begin
         if (load_0) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {
-                3'd0, mul_f32_ftz_unit_y[30:23], 3'd0, mul_f32_ftz_unit_copy2_y[30:23], center_y_d45, center_x_d45,
+                3'd0, mul_f32_ftz_unit_y[30:23], 3'd0, mul_f32_ftz_unit_copy2_y[30:23], first_y, sight_disc_out_d51,
                 b_depth_d8, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, lowered_chosen_sign_d4_copy6,
                 beta_chosen_copy2, lowered_chosen_sign_d4_copy5, b_y_chosen_copy2, lowered_chosen_sign_d4_copy4,
                 b_x_chosen_copy2, lowered_chosen_sign_d4_copy3, alpha_chosen_copy2, lowered_chosen_sign_d4_copy2,
@@ -8641,13 +9098,13 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_12_from_0[delay_12_from_0_pointer] <= {not_zero_is_alpha_bits, not_zero_is_beta_bits, b_depth_d19, delay_30_from_0_out};
+            delay_12_from_0[delay_12_from_0_pointer] <= {not_zero_is_alpha_bits, not_zero_is_beta_bits, last_x, first_x, b_depth_d19, delay_30_from_0_out};
         end
         if (load_0) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_14_from_0[delay_14_from_0_pointer] <= q_d6;
-        if (load_0) delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        if (load_0) delay_13_from_0[delay_13_from_0_pointer] <= q_d7;
+        if (load_0) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
@@ -8656,24 +9113,33 @@ module splat_setup (
         if (load_0) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
+        if (load_0) delay_16_from_0[delay_16_from_0_pointer] <= whole_d43;
+        if (load_0) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+    end
+    always @(posedge clk) begin
         if (load_0) begin
             delay_17_from_0[delay_17_from_0_pointer] <= {
-                to_fixed_f32_ftz_u24q24_unit_y, last_y_chosen_copy2, first_y_chosen_copy8, add_f32_ftz_unit_copy14_y,
-                last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y, not_turned_d1
+                to_fixed_f32_ftz_u24q24_unit_copy2_y, last_y_chosen_copy2, first_y_chosen_copy8,
+                add_f32_ftz_unit_copy12_y, last_x_chosen_copy2, first_x_chosen_copy8, add_f32_ftz_unit_copy7_y,
+                not_turned_d1
             };
         end
         if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {delay_24_from_0_out, all_before_far};
+            delay_20_from_0[delay_20_from_0_pointer] <= {center_y_d24, delay_24_from_0_out};
         end
         if (load_0) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_24_from_0[delay_24_from_0_pointer] <= {add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy6_y};
+            delay_23_from_0[delay_23_from_0_pointer] <= {center_y_d44, center_y_d1_copy2, center_x_d44};
         end
+        if (load_0) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) delay_24_from_0[delay_24_from_0_pointer] <= add_f32_ftz_unit_copy6_y;
         if (load_0) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -8681,11 +9147,19 @@ module splat_setup (
         if (load_0) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
+        if (load_0) begin
+            delay_28_from_0[delay_28_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, add_f32_ftz_unit_copy21_y, add_f32_ftz_unit_copy19_y};
+        end
+        if (load_0) delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+    end
+    always @(posedge clk) begin
         if (load_0) delay_30_from_0[delay_30_from_0_pointer] <= whole_d1;
         if (load_0) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_31_from_0[delay_31_from_0_pointer] <= delay_31_from_0_data_bits;
+        if (load_0) begin
+            delay_31_from_0[delay_31_from_0_pointer] <= {all_before_far, 1'd0, mul_f32_ftz_unit_copy3_y[30:0]};
+        end
         if (load_0) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
     always @(posedge clk) begin
@@ -8704,30 +9178,32 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_41_from_0[delay_41_from_0_pointer] <= {ay_out, ax_out, delay_35_from_0_out};
-        end
-        if (load_0) delay_41_from_0_out <= delay_41_from_0[delay_41_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_44_from_0[delay_44_from_0_pointer] <= {doubtful_or_visible_unequal, sight_negative_out, edge_on};
-        end
-        if (load_0) delay_44_from_0_out <= delay_44_from_0[delay_44_from_0_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
             delay_51_from_0[delay_51_from_0_pointer] <= {last_x_chosen, first_x_chosen_copy7, sight_disc_out};
         end
         if (load_0) delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_52_from_0[delay_52_from_0_pointer] <= {ay_out, ax_out, delay_35_from_0_out};
+        end
+        if (load_0) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_55_from_0[delay_55_from_0_pointer] <= {doubtful_or_visible_unequal, sight_negative_out, edge_on};
+        end
+        if (load_0) delay_55_from_0_out <= delay_55_from_0[delay_55_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) delay_57_from_0[delay_57_from_0_pointer] <= before_far;
         if (load_0) delay_57_from_0_out <= delay_57_from_0[delay_57_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, middle_depth, lt_f32_ftz_unit_y};
-        end
+        if (load_0) delay_64_from_0[delay_64_from_0_pointer] <= first_sum_both;
+        if (load_0) delay_64_from_0_out <= delay_64_from_0[delay_64_from_0_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_7_from_1[delay_7_from_1_pointer] <= {middle_depth, lt_f32_ftz_unit_y};
         if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
@@ -8745,14 +9221,22 @@ module splat_setup (
     always @(posedge clk) begin
         if (load_1) begin
             delay_10_from_1[delay_10_from_1_pointer] <= {
-                b_y_sign_d1, b_y_bits_d1_copy2, b_y_bits_is_255_d1, not_zero_is_b_y_bits_d1, b_x_sign_d1,
-                b_x_bits_d1_copy2, b_x_bits_is_255_d1, not_zero_is_b_x_bits_d1, a_y_sign_d1, a_y_bits_d1_copy2,
-                a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1, a_x_bits_d1_copy2, a_x_bits_is_255_d1,
-                not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy16_y, add_f32_ftz_unit_copy15_y,
-                add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y
+                add_f32_ftz_unit_copy27_y, b_y_sign_d1, b_y_bits_d1_copy2, b_y_bits_is_255_d1,
+                not_zero_is_b_y_bits_d1, b_x_sign_d1, b_x_bits_d1_copy2, b_x_bits_is_255_d1, not_zero_is_b_x_bits_d1,
+                a_y_sign_d1, a_y_bits_d1_copy2, a_y_bits_is_255_d1, not_zero_is_a_y_bits_d1, a_x_sign_d1,
+                a_x_bits_d1_copy2, a_x_bits_is_255_d1, not_zero_is_a_x_bits_d1, add_f32_ftz_unit_copy18_y,
+                add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y
             };
         end
         if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_11_from_1[delay_11_from_1_pointer] <= visible_both_copy2;
+        if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_12_from_1[delay_12_from_1_pointer] <= last_y;
+        if (load_1) delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
@@ -8761,8 +9245,8 @@ module splat_setup (
         if (load_1) delay_14_from_1_out <= delay_14_from_1[delay_14_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_21_from_1[delay_21_from_1_pointer] <= beyond_near;
-        if (load_1) delay_21_from_1_out <= delay_21_from_1[delay_21_from_1_pointer];
+        if (load_1) delay_17_from_1[delay_17_from_1_pointer] <= to_fixed_f32_ftz_u24q24_unit_y;
+        if (load_1) delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) delay_26_from_1[delay_26_from_1_pointer] <= reaches_near_sum_d1_copy2;
@@ -8773,24 +9257,16 @@ module splat_setup (
         if (load_1) delay_31_from_1_out <= delay_31_from_1[delay_31_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_34_from_1[delay_34_from_1_pointer] <= {mul_f32_ftz_unit_copy27_y[30:0], mul_f32_ftz_unit_copy26_y[30:0]};
-        end
-        if (load_1) delay_34_from_1_out <= delay_34_from_1[delay_34_from_1_pointer];
+        if (load_1) delay_32_from_1[delay_32_from_1_pointer] <= beyond_near;
+        if (load_1) delay_32_from_1_out <= delay_32_from_1[delay_32_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) delay_37_from_1[delay_37_from_1_pointer] <= beyond_near_and_not_turned_d18;
         if (load_1) delay_37_from_1_out <= delay_37_from_1[delay_37_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_41_from_1[delay_41_from_1_pointer] <= {delta_d1, half_depth_chosen};
+        if (load_1) delay_41_from_1[delay_41_from_1_pointer] <= half_depth_chosen;
         if (load_1) delay_41_from_1_out <= delay_41_from_1[delay_41_from_1_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_42_from_1[delay_42_from_1_pointer] <= {my, mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
-        end
-        if (load_1) delay_42_from_1_out <= delay_42_from_1[delay_42_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
@@ -8800,19 +9276,44 @@ module splat_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
+            delay_45_from_1[delay_45_from_1_pointer] <= {mul_f32_ftz_unit_copy30_y[30:0], mul_f32_ftz_unit_copy29_y[30:0]};
+        end
+        if (load_1) delay_45_from_1_out <= delay_45_from_1[delay_45_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
             delay_51_from_1[delay_51_from_1_pointer] <= {last_y_chosen, first_y_chosen_copy7};
         end
         if (load_1) delay_51_from_1_out <= delay_51_from_1[delay_51_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_52_from_1[delay_52_from_1_pointer] <= delta_d1;
+        if (load_1) delay_52_from_1_out <= delay_52_from_1[delay_52_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_53_from_1[delay_53_from_1_pointer] <= {my, mx, b_y_sign_d11, by_out_chosen_copy2, b_x_sign_d11, bx_out_chosen_copy2};
+        end
+        if (load_1) delay_53_from_1_out <= delay_53_from_1[delay_53_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_61_from_1[delay_61_from_1_pointer] <= first_sum_sum_copy2;
+        if (load_1) delay_61_from_1_out <= delay_61_from_1[delay_61_from_1_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_1) delay_62_from_1[delay_62_from_1_pointer] <= first_difference_difference;
+        if (load_1) delay_62_from_1_out <= delay_62_from_1[delay_62_from_1_pointer];
     end
 
     wire _unused = &{
         1'b0, a_x_chosen[10:8], a_y_chosen[10:8], alpha_chosen[10:8], alpha_d13[30:23], ax_out_chosen[10:8],
         ay_out_chosen[10:8], b_x_chosen[10:8], b_y_chosen[10:8], beta_chosen[10:8], beta_d13[30:23],
-        bx_out_chosen[10:8], by_out_chosen[10:8], delta_chosen[10:8], first_x_chosen_copy2[10:8],
-        first_y_chosen_copy2[10:8], last_x_lesser_minus_1[21:9], last_y_lesser_minus_1[21:9], mx_chosen[10:8],
-        mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], my_chosen[10:8], reaches_near_chosen_copy2[10:8],
-        unit_delta_chosen[10:8], unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8],
-        unit_delta_chosen_copy7[10:8]
+        bx_out_chosen[10:8], by_out_chosen[10:8], delta_chosen[10:8], first_difference_sum_copy2[7:0],
+        first_sum_sum_copy3[7:0], first_x_chosen_copy2[10:8], first_y_chosen_copy2[10:8],
+        last_difference_sum_copy3[7:0], last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:9],
+        last_y_lesser_minus_1[21:9], mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8],
+        my_chosen[10:8], reaches_near_chosen_copy2[10:8], unit_delta_chosen[10:8],
+        unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8]
     };
 
 `ifdef RTL_ASSERT
@@ -8871,6 +9372,93 @@ module float_to_fixed_s3_f32ftz_w24_f24_unsigned (
     end
 
     wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f32-ftz
+// width = 22
+// fraction = 8
+// integer = signed
+module float_to_fixed_s3_f32ftz_w22_f8_signed (
+    input  wire clk, input wire enable, input wire [31:0] a,
+    output reg  [21:0] y
+);
+    reg [4:0] distance_s1;
+    reg [23:0] significand_s1;
+    reg [21:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
+    wire [22:0] a_fraction = a[22:0];
+    wire [23:0] magnitude_s2_shifted = significand_s1 >> distance_s1;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 23'd0);
+    wire [21:0] y_choice = saturates_s2 ? (sign_s2 ? 22'h200000 : 22'h1fffff) : sign_s2 ? (~magnitude_s2 + 22'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            magnitude_s2 <= magnitude_s2_shifted[21:0];
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 22'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5], magnitude_s2_shifted[23:22]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f32-ftz
+// width = 23
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_s3_f32ftz_w23_f8_unsigned (
+    input  wire clk, input wire enable, input wire [31:0] a,
+    output reg  [22:0] y
+);
+    reg [4:0] distance_s1;
+    reg [23:0] significand_s1;
+    reg [22:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd24 - saturates_s1_sum;
+    wire [22:0] a_fraction = a[22:0];
+    wire [23:0] magnitude_s2_shifted = significand_s1 >> distance_s1;
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 23'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            magnitude_s2 <= magnitude_s2_shifted[22:0];
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd24 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 23'd0 : saturates_s2 ? 23'h7fffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5], magnitude_s2_shifted[23]};
 endmodule
 
 // Floating to fixed point.
@@ -9760,14 +10348,14 @@ module float_recip_s28_f32ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 686
-module stream_skid_w686 (
+// width = 726
+module stream_skid_w726 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [685:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [685:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [725:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [725:0] out_data
 );
     reg second_valid;
-    reg [685:0] head, second;
+    reg [725:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;

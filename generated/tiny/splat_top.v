@@ -72,6 +72,7 @@ module splat_top (
     wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
     wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2;
     wire [6:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire [7:0] setup_out_first_sum, setup_out_last_sum, setup_out_first_difference, setup_out_last_difference;
     wire splitter_in_ready, splitter_out_valid, splitter_out_end;
     wire [27:0] splitter_out_center_x, splitter_out_center_y;
     wire [17:0] splitter_out_ax, splitter_out_bx, splitter_out_ay, splitter_out_by;
@@ -81,6 +82,8 @@ module splat_top (
     wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
     wire [15:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
     wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
+    wire [3:0] splitter_out_first_sum, splitter_out_last_sum, splitter_out_first_difference;
+    wire [3:0] splitter_out_last_difference;
     wire [7:0] splitter_out_tile;
     wire reorder_in_ready, reorder_out_valid, reorder_out_end;
     wire [27:0] reorder_out_center_x, reorder_out_center_y;
@@ -91,6 +94,8 @@ module splat_top (
     wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
     wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2;
     wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
+    wire [3:0] reorder_out_first_sum, reorder_out_last_sum, reorder_out_first_difference;
+    wire [3:0] reorder_out_last_difference;
     wire [7:0] reorder_out_tile;
     wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
     wire [27:0] tile_cache_out_center_x, tile_cache_out_center_y;
@@ -101,6 +106,8 @@ module splat_top (
     wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
     wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
     wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
+    wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
+    wire [3:0] tile_cache_out_last_difference;
     wire [7:0] tile_cache_out_tile;
     wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [7:0] tile_cache_pixel_tile;
@@ -178,7 +185,8 @@ module splat_top (
         .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
         .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
         .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
-        .out_bottom(setup_out_bottom)
+        .out_bottom(setup_out_bottom), .out_first_sum(setup_out_first_sum), .out_last_sum(setup_out_last_sum),
+        .out_first_difference(setup_out_first_difference), .out_last_difference(setup_out_last_difference)
     );
 
     splat_splitter splitter (
@@ -189,7 +197,9 @@ module splat_top (
         .in_depth(setup_out_depth), .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
         .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
         .in_attribute_2(setup_out_attribute_2), .in_left(setup_out_left), .in_right(setup_out_right),
-        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom), .in_first_sum(setup_out_first_sum),
+        .in_last_sum(setup_out_last_sum), .in_first_difference(setup_out_first_difference),
+        .in_last_difference(setup_out_last_difference),
         .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
         .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
         .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
@@ -199,7 +209,9 @@ module splat_top (
         .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
         .out_attribute_2(splitter_out_attribute_2), .out_left(splitter_out_left),
         .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
-        .out_tile(splitter_out_tile)
+        .out_first_sum(splitter_out_first_sum), .out_last_sum(splitter_out_last_sum),
+        .out_first_difference(splitter_out_first_difference),
+        .out_last_difference(splitter_out_last_difference), .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
@@ -211,7 +223,9 @@ module splat_top (
         .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
         .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
         .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .in_bottom(splitter_out_bottom), .in_first_sum(splitter_out_first_sum),
+        .in_last_sum(splitter_out_last_sum), .in_first_difference(splitter_out_first_difference),
+        .in_last_difference(splitter_out_last_difference), .in_tile(splitter_out_tile),
         .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
         .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
         .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
@@ -220,7 +234,9 @@ module splat_top (
         .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
         .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
         .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
+        .out_bottom(reorder_out_bottom), .out_first_sum(reorder_out_first_sum),
+        .out_last_sum(reorder_out_last_sum), .out_first_difference(reorder_out_first_difference),
+        .out_last_difference(reorder_out_last_difference), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
@@ -232,7 +248,9 @@ module splat_top (
         .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
         .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
         .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .in_bottom(reorder_out_bottom), .in_first_sum(reorder_out_first_sum),
+        .in_last_sum(reorder_out_last_sum), .in_first_difference(reorder_out_first_difference),
+        .in_last_difference(reorder_out_last_difference), .in_tile(reorder_out_tile),
         .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
         .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
         .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
@@ -242,7 +260,10 @@ module splat_top (
         .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
         .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
         .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .out_first_sum(tile_cache_out_first_sum), .out_last_sum(tile_cache_out_last_sum),
+        .out_first_difference(tile_cache_out_first_difference),
+        .out_last_difference(tile_cache_out_last_difference), .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
         .read_valid(read_valid), .read_ready(read_ready), .read_tile(read_tile),
         .data_valid(data_valid), .data_ready(data_ready), .data_weight(data_weight), .data_depth(data_depth),
         .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
@@ -279,7 +300,10 @@ module splat_top (
         .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
         .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
         .in_left(tile_cache_out_left), .in_right(tile_cache_out_right), .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom), .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .in_bottom(tile_cache_out_bottom), .in_first_sum(tile_cache_out_first_sum),
+        .in_last_sum(tile_cache_out_last_sum), .in_first_difference(tile_cache_out_first_difference),
+        .in_last_difference(tile_cache_out_last_difference), .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
         .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
         .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
         .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
@@ -1844,6 +1868,10 @@ module splat_rasterizer (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [7:0] in_tile,  // Tile index: row above column.
     input  wire in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
@@ -1866,7 +1894,11 @@ module splat_rasterizer (
 );
     reg busy, idle, is_end, is_last, slot;
     reg [7:0] tile;
-    reg [2:0] column, row, left, right, bottom;
+    reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
+    reg [3:0] first_sum;  // Smallest sum.
+    reg [3:0] last_sum;  // Largest sum.
+    reg [3:0] first_difference;  // Smallest difference.
+    reg [3:0] last_difference;  // Largest difference.
     reg [27:0] center_x;  // Projected center (px), the origin of what follows.
     reg [27:0] center_y;  // Projected center (px), the origin of what follows.
     reg [17:0] ax;  // `A` in x.
@@ -1883,11 +1915,43 @@ module splat_rasterizer (
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     wire load = take & in_valid;
-    wire idle_either = in_end | ({in_left, in_top} == {in_right, in_bottom});
-    wire column_is_right = column == right;
-    wire [2:0] idle_choice = column_is_right ? left : (column + 3'd1);
-    wire [2:0] idle_choice_2 = column_is_right ? (row + 3'd1) : row;
-    wire idle_same = {idle_choice, idle_choice_2} == {right, bottom};
+    wire [3:0] idle_choice = (in_first_sum < {1'd0, in_top}) ? 4'd0 : (in_first_sum - {1'd0, in_top});
+    wire [3:0] idle_bits = {1'd0, ~in_top};
+    wire [3:0] idle_choice_2 = (in_first_difference < idle_bits) ? 4'd0 : (in_first_difference - idle_bits);
+    wire [3:0] idle_choice_3 = (idle_choice < idle_choice_2) ? idle_choice_2 : idle_choice;
+    wire [3:0] idle_choice_4 = (idle_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : idle_choice_3;
+    wire [3:0] idle_choice_5 = (in_last_sum < {1'd0, in_top}) ? 4'd0 : (in_last_sum - {1'd0, in_top});
+    wire [3:0] idle_choice_6 = (in_last_difference < idle_bits) ? 4'd0 : (in_last_difference - idle_bits);
+    wire [3:0] idle_choice_7 = (idle_choice_5 < idle_choice_6) ? idle_choice_5 : idle_choice_6;
+    wire [3:0] idle_choice_8 = (idle_choice_7 < {1'd0, in_right}) ? idle_choice_7 : {1'd0, in_right};
+    wire idle_either = in_end | ({in_top, idle_choice_4[2:0]} == {in_bottom, idle_choice_8[2:0]});
+    wire row_done = column == row_end;
+    wire [2:0] idle_choice_9 = row_done ? (row + 3'd1) : row;
+    wire [2:0] idle_choice_10 = row_done ? next_begin : (column + 3'd1);
+    wire idle_same = {idle_choice_9, idle_choice_10} == {bottom, row_done ? next_end : row_end};
+    wire row_end_enable_both = evaluation_in_ready & (load | row_done);
+    wire [2:0] in_top_plus_1 = in_top + 3'd1;
+    wire [3:0] next_begin_bits = {1'd0, in_top_plus_1};
+    wire [3:0] next_begin_choice = (in_first_sum < next_begin_bits) ? 4'd0 : (in_first_sum - next_begin_bits);
+    wire [3:0] next_begin_bits_2 = {1'd0, ~in_top_plus_1};
+    wire [3:0] next_begin_choice_2 = (in_first_difference < next_begin_bits_2) ? 4'd0 : (in_first_difference - next_begin_bits_2);
+    wire [3:0] next_begin_choice_3 = (next_begin_choice < next_begin_choice_2) ? next_begin_choice_2 : next_begin_choice;
+    wire [3:0] next_begin_choice_4 = (next_begin_choice_3 < {1'd0, in_left}) ? {1'd0, in_left} : next_begin_choice_3;
+    wire [2:0] row_plus_2 = row + 3'd2;
+    wire [3:0] next_begin_bits_3 = {1'd0, row_plus_2};
+    wire [3:0] next_begin_choice_5 = (first_sum < next_begin_bits_3) ? 4'd0 : (first_sum - next_begin_bits_3);
+    wire [3:0] next_begin_bits_4 = {1'd0, ~row_plus_2};
+    wire [3:0] next_begin_choice_6 = (first_difference < next_begin_bits_4) ? 4'd0 : (first_difference - next_begin_bits_4);
+    wire [3:0] next_begin_choice_7 = (next_begin_choice_5 < next_begin_choice_6) ? next_begin_choice_6 : next_begin_choice_5;
+    wire [3:0] next_begin_choice_8 = (next_begin_choice_7 < {1'd0, left}) ? {1'd0, left} : next_begin_choice_7;
+    wire [3:0] next_end_choice = (in_last_sum < next_begin_bits) ? 4'd0 : (in_last_sum - next_begin_bits);
+    wire [3:0] next_end_choice_2 = (in_last_difference < next_begin_bits_2) ? 4'd0 : (in_last_difference - next_begin_bits_2);
+    wire [3:0] next_end_choice_3 = (next_end_choice < next_end_choice_2) ? next_end_choice : next_end_choice_2;
+    wire [3:0] next_end_choice_4 = (next_end_choice_3 < {1'd0, in_right}) ? next_end_choice_3 : {1'd0, in_right};
+    wire [3:0] next_end_choice_5 = (last_sum < next_begin_bits_3) ? 4'd0 : (last_sum - next_begin_bits_3);
+    wire [3:0] next_end_choice_6 = (last_difference < next_begin_bits_4) ? 4'd0 : (last_difference - next_begin_bits_4);
+    wire [3:0] next_end_choice_7 = (next_end_choice_5 < next_end_choice_6) ? next_end_choice_5 : next_end_choice_6;
+    wire [3:0] next_end_choice_8 = (next_end_choice_7 < {1'd0, right}) ? next_end_choice_7 : {1'd0, right};
 
     assign in_ready = take;
     assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
@@ -1931,9 +1995,13 @@ module splat_rasterizer (
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
+            bottom <= in_bottom;
             left <= in_left;
             right <= in_right;
-            bottom <= in_bottom;
+            first_sum <= in_first_sum;
+            last_sum <= in_last_sum;
+            first_difference <= in_first_difference;
+            last_difference <= in_last_difference;
             center_x <= in_center_x;
             center_y <= in_center_y;
             ax <= in_ax;
@@ -1947,12 +2015,20 @@ module splat_rasterizer (
         end
         if (evaluation_in_ready) begin
             is_last <= load ? idle_either : idle_same;
-            column <= load ? in_left : idle_choice;
-            row <= load ? in_top : idle_choice_2;
+            column <= load ? idle_choice_4[2:0] : idle_choice_10;
+            row <= load ? in_top : idle_choice_9;
+        end
+        if (row_end_enable_both) begin
+            row_end <= load ? idle_choice_8[2:0] : next_end;
+            next_begin <= load ? next_begin_choice_4[2:0] : next_begin_choice_8[2:0];
+            next_end <= load ? next_end_choice_4[2:0] : next_end_choice_8[2:0];
         end
     end
 
-    wire _unused = &{1'b0, shared_out_valid};
+    wire _unused = &{
+        1'b0, idle_choice_4[3], idle_choice_8[3], next_begin_choice_4[3], next_begin_choice_8[3],
+        next_end_choice_4[3], next_end_choice_8[3], shared_out_valid
+    };
 endmodule
 
 // Queue in a memory with a registered output.
@@ -3021,6 +3097,10 @@ module splat_tile_cache (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [7:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies with their slots.
     output wire out_end,  // Closes the frame.
@@ -3044,6 +3124,10 @@ module splat_tile_cache (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [7:0] out_tile,  // Tile index: row above column.
     output wire out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
@@ -3114,6 +3198,10 @@ module splat_tile_cache (
     reg [2:0] head_right;  // Last column.
     reg [2:0] head_top;  // First row.
     reg [2:0] head_bottom;  // Last row.
+    reg [3:0] head_first_sum;  // Smallest sum.
+    reg [3:0] head_last_sum;  // Largest sum.
+    reg [3:0] head_first_difference;  // Smallest difference.
+    reg [3:0] head_last_difference;  // Largest difference.
     reg [7:0] head_tile;  // Tile index: row above column.
     reg [2:0] mode;
     reg frame_ended;
@@ -3140,9 +3228,9 @@ module splat_tile_cache (
     reg touched;
 
     wire in_queue_out_valid;
-    wire [330:0] in_queue_out_data;
+    wire [346:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [331:0] out_queue_out_data;
+    wire [347:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [141:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -3174,27 +3262,31 @@ module splat_tile_cache (
     wire mode_is_6_and_beat = mode_is_6 & beat;
     wire [27:0] visible_choice = mode_is_5 ? drain_weight : data_weight;
     wire visible = |visible_choice;
-    wire in_queue_out_end = in_queue_out_data[330];
-    wire [27:0] in_queue_out_center_x = in_queue_out_data[329:302];
-    wire [27:0] in_queue_out_center_y = in_queue_out_data[301:274];
-    wire [17:0] in_queue_out_ax = in_queue_out_data[273:256];
-    wire [17:0] in_queue_out_bx = in_queue_out_data[255:238];
-    wire [17:0] in_queue_out_ay = in_queue_out_data[237:220];
-    wire [17:0] in_queue_out_by = in_queue_out_data[219:202];
-    wire [21:0] in_queue_out_delta = in_queue_out_data[201:180];
-    wire [17:0] in_queue_out_mx = in_queue_out_data[179:162];
-    wire [17:0] in_queue_out_my = in_queue_out_data[161:144];
-    wire [3:0] in_queue_out_shift = in_queue_out_data[143:140];
-    wire [23:0] in_queue_out_depth = in_queue_out_data[139:116];
-    wire [23:0] in_queue_out_depth_low = in_queue_out_data[115:92];
-    wire [23:0] in_queue_out_depth_high = in_queue_out_data[91:68];
-    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[67:52];
-    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[51:36];
-    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[35:20];
-    wire [2:0] in_queue_out_left = in_queue_out_data[19:17];
-    wire [2:0] in_queue_out_right = in_queue_out_data[16:14];
-    wire [2:0] in_queue_out_top = in_queue_out_data[13:11];
-    wire [2:0] in_queue_out_bottom = in_queue_out_data[10:8];
+    wire in_queue_out_end = in_queue_out_data[346];
+    wire [27:0] in_queue_out_center_x = in_queue_out_data[345:318];
+    wire [27:0] in_queue_out_center_y = in_queue_out_data[317:290];
+    wire [17:0] in_queue_out_ax = in_queue_out_data[289:272];
+    wire [17:0] in_queue_out_bx = in_queue_out_data[271:254];
+    wire [17:0] in_queue_out_ay = in_queue_out_data[253:236];
+    wire [17:0] in_queue_out_by = in_queue_out_data[235:218];
+    wire [21:0] in_queue_out_delta = in_queue_out_data[217:196];
+    wire [17:0] in_queue_out_mx = in_queue_out_data[195:178];
+    wire [17:0] in_queue_out_my = in_queue_out_data[177:160];
+    wire [3:0] in_queue_out_shift = in_queue_out_data[159:156];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[155:132];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[131:108];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[107:84];
+    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[83:68];
+    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[67:52];
+    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[51:36];
+    wire [2:0] in_queue_out_left = in_queue_out_data[35:33];
+    wire [2:0] in_queue_out_right = in_queue_out_data[32:30];
+    wire [2:0] in_queue_out_top = in_queue_out_data[29:27];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[26:24];
+    wire [3:0] in_queue_out_first_sum = in_queue_out_data[23:20];
+    wire [3:0] in_queue_out_last_sum = in_queue_out_data[19:16];
+    wire [3:0] in_queue_out_first_difference = in_queue_out_data[15:12];
+    wire [3:0] in_queue_out_last_difference = in_queue_out_data[11:8];
     wire [7:0] in_queue_out_tile = in_queue_out_data[7:0];
     wire last_code = &code;
     wire finish_inverted = ~(looking | looked | moving);
@@ -3227,7 +3319,8 @@ module splat_tile_cache (
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile, out_slot
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
+        out_first_difference, out_last_difference, out_tile, out_slot
     } = out_queue_out_data;
     assign data_ready = take_data;
     assign {
@@ -3250,22 +3343,24 @@ module splat_tile_cache (
         .read(1'd1), .read_address(mode_is_3 ? code : head_tile), .read_data(stored_touched)
     );
 
-    stream_half_buffer_w331 in_queue (
+    stream_half_buffer_w347 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_tile
+            in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference,
+            in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w332 out_queue (
+    stream_half_buffer_w348 out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
             head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
-            head_attribute_2, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
+            head_attribute_2, head_left, head_right, head_top, head_bottom, head_first_sum, head_last_sum,
+            head_first_difference, head_last_difference, head_tile, copy_slot
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -3362,6 +3457,10 @@ module splat_tile_cache (
             head_right <= in_queue_out_right;
             head_top <= in_queue_out_top;
             head_bottom <= in_queue_out_bottom;
+            head_first_sum <= in_queue_out_first_sum;
+            head_last_sum <= in_queue_out_last_sum;
+            head_first_difference <= in_queue_out_first_difference;
+            head_last_difference <= in_queue_out_last_difference;
             head_tile <= in_queue_out_tile;
         end
         if (start_or_mode_is_4) begin
@@ -3500,14 +3599,14 @@ module stream_skid_w142 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 332
-module stream_half_buffer_w332 (
+// width = 348
+module stream_half_buffer_w348 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [331:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [331:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [347:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [347:0] out_data
 );
     reg full;
-    reg [331:0] item;
+    reg [347:0] item;
 
     assign in_ready = ~full;
 
@@ -3547,6 +3646,10 @@ module splat_reorder (
     input  wire [2:0] in_right,  // Last column.
     input  wire [2:0] in_top,  // First row.
     input  wire [2:0] in_bottom,  // Last row.
+    input  wire [3:0] in_first_sum,  // Smallest sum.
+    input  wire [3:0] in_last_sum,  // Largest sum.
+    input  wire [3:0] in_first_difference,  // Smallest difference.
+    input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [7:0] in_tile,  // Tile index: row above column.
     output wire out_valid, input wire out_ready,  // Copies in order of tiles.
     output wire out_end,  // Closes the frame.
@@ -3570,6 +3673,10 @@ module splat_reorder (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [7:0] out_tile  // Tile index: row above column.
 );
     reg free_valid;
@@ -3577,14 +3684,14 @@ module splat_reorder (
     reg [6:0] fresh;
     reg draining, stage_valid;
     reg [7:0] stage_tile;
-    wire [321:0] stage_payload;
+    wire [337:0] stage_payload;
 
     wire in_queue_out_valid;
-    wire [330:0] in_queue_out_data;
+    wire [346:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [330:0] out_queue_out_data;
+    wire [346:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
-    wire [330:0] caught_out_data;
+    wire [346:0] caught_out_data;
     wire heap_in_ready, heap_out_valid;
     wire [7:0] heap_out_tile;
     wire [5:0] heap_out_pointer;
@@ -3592,7 +3699,7 @@ module splat_reorder (
     wire [5:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
-    wire in_queue_out_end = in_queue_out_data[330];
+    wire in_queue_out_end = in_queue_out_data[346];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
@@ -3607,31 +3714,33 @@ module splat_reorder (
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
+        out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    memory_1w1r_unordered #(.WIDTH(322), .DEPTH(64), .SLICE(288)) payloads (
-        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[329:8]),
+    memory_1w1r_unordered #(.WIDTH(338), .DEPTH(64), .SLICE(288)) payloads (
+        .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[345:8]),
         .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
     );
 
-    stream_half_buffer_w331 in_queue (
+    stream_half_buffer_w347 in_queue (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({
             in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
             in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
-            in_right, in_top, in_bottom, in_tile
+            in_right, in_top, in_bottom, in_first_sum, in_last_sum, in_first_difference, in_last_difference,
+            in_tile
         }),
         .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w331 out_queue (
+    stream_half_buffer_w347 out_queue (
         .clk(clk), .rst(rst), .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
         .in_data(caught_out_data),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    stream_half_buffer_w331 caught (
+    stream_half_buffer_w347 caught (
         .clk(clk), .rst(rst), .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
         .in_data({close, stage_payload, stage_tile}),
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
@@ -4399,7 +4508,7 @@ module stream_skid_w14 (
 `endif
 endmodule
 
-// Splits a splat's rectangle into one copy per tile.
+// Splits a splat's octagon into one copy per tile.
 module splat_splitter (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Footprints with bounds in the image.
@@ -4424,6 +4533,10 @@ module splat_splitter (
     input  wire [6:0] in_right,  // Last column.
     input  wire [6:0] in_top,  // First row.
     input  wire [6:0] in_bottom,  // Last row.
+    input  wire [7:0] in_first_sum,  // Smallest sum.
+    input  wire [7:0] in_last_sum,  // Largest sum.
+    input  wire [7:0] in_first_difference,  // Smallest difference.
+    input  wire [7:0] in_last_difference,  // Largest difference.
     output wire out_valid, input wire out_ready,  // Copies with bounds in their tiles.
     output wire out_end,  // Closes the frame.
     output wire [27:0] out_center_x,  // Projected center (px), the origin of what follows.
@@ -4446,9 +4559,13 @@ module splat_splitter (
     output wire [2:0] out_right,  // Last column.
     output wire [2:0] out_top,  // First row.
     output wire [2:0] out_bottom,  // Last row.
+    output wire [3:0] out_first_sum,  // Smallest sum.
+    output wire [3:0] out_last_sum,  // Largest sum.
+    output wire [3:0] out_first_difference,  // Smallest difference.
+    output wire [3:0] out_last_difference,  // Largest difference.
     output wire [7:0] out_tile  // Tile index: row above column.
 );
-    reg busy, idle, last;
+    reg busy, located, idle, last;
     reg splat_end;  // Closes the frame.
     reg [27:0] splat_center_x;  // Projected center (px), the origin of what follows.
     reg [27:0] splat_center_y;  // Projected center (px), the origin of what follows.
@@ -4470,34 +4587,75 @@ module splat_splitter (
     reg [6:0] splat_right;  // Last column.
     reg [6:0] splat_top;  // First row.
     reg [6:0] splat_bottom;  // Last row.
-    reg [3:0] column, row;
+    reg [7:0] splat_first_sum;  // Smallest sum.
+    reg [7:0] splat_last_sum;  // Largest sum.
+    reg [7:0] splat_first_difference;  // Smallest difference.
+    reg [7:0] splat_last_difference;  // Largest difference.
+    reg [3:0] column, row, first_sum, past_sum, first_difference, past_difference;
 
     wire out_queue_in_ready;
-    wire [330:0] out_queue_out_data;
+    wire [346:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
+    wire step = out_queue_in_ready & (busy & located);
+    wire [3:0] occupied_bits = {1'd0, (row == splat_top[6:3]) ? splat_top[2:0] : 3'd0};
     wire right_most = column == splat_right[6:3];
+    wire [2:0] out_queue_in_data_choice = right_most ? splat_right[2:0] : 3'd7;
+    wire [3:0] occupied_bits_2 = {1'd0, out_queue_in_data_choice};
+    wire [3:0] occupied_choice = (first_sum < occupied_bits_2) ? 4'd0 : (first_sum - occupied_bits_2);
+    wire [3:0] occupied_choice_2 = (occupied_bits < occupied_choice) ? occupied_choice : occupied_bits;
+    wire [2:0] out_queue_in_data_choice_2 = (column == splat_left[6:3]) ? splat_left[2:0] : 3'd0;
+    wire [3:0] occupied_bits_3 = {1'd1, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_3 = (occupied_bits_3 < past_difference) ? 4'd0 : (occupied_bits_3 - past_difference);
+    wire [4:0] first_sum_plus_9 = {1'd0, first_sum} + 5'd9;
+    wire [4:0] occupied_choice_4 = (first_sum_plus_9 < {1'd0, past_difference}) ? 5'd0 : (first_sum_plus_9 - {1'd0, past_difference});
+    wire [3:0] occupied_choice_5 = (occupied_choice_3 < occupied_choice_4[4:1]) ? occupied_choice_4[4:1] : occupied_choice_3;
+    wire [3:0] occupied_choice_6 = (occupied_choice_2 < occupied_choice_5) ? occupied_choice_5 : occupied_choice_2;
+    wire [3:0] occupied_sum = {1'd0, (row == splat_bottom[6:3]) ? splat_bottom[2:0] : 3'd7} + 4'd1;
+    wire [3:0] occupied_bits_4 = {1'd0, out_queue_in_data_choice_2};
+    wire [3:0] occupied_choice_7 = (past_sum < occupied_bits_4) ? 4'd0 : (past_sum - occupied_bits_4);
+    wire [3:0] occupied_choice_8 = (occupied_sum < occupied_choice_7) ? occupied_sum : occupied_choice_7;
+    wire [3:0] occupied_bits_5 = {1'd1, out_queue_in_data_choice};
+    wire [3:0] occupied_choice_9 = (occupied_bits_5 < first_difference) ? 4'd0 : (occupied_bits_5 - first_difference);
+    wire [4:0] past_sum_plus_8 = {1'd0, past_sum} + 5'd8;
+    wire [4:0] occupied_choice_10 = (past_sum_plus_8 < {1'd0, first_difference}) ? 5'd0 : (past_sum_plus_8 - {1'd0, first_difference});
+    wire [3:0] occupied_choice_11 = (occupied_choice_9 < occupied_choice_10[4:1]) ? occupied_choice_9 : occupied_choice_10[4:1];
+    wire [3:0] occupied_choice_12 = (occupied_choice_8 < occupied_choice_11) ? occupied_choice_8 : occupied_choice_11;
+    wire occupied = splat_end | (occupied_choice_6 < occupied_choice_12);
+    wire [3:0] occupied_choice_12_minus_1 = occupied_choice_12 - 4'd1;
     wire take = ready & in_valid;
-    wire idle_either = in_end | ({in_top[6:3], in_left[6:3]} == {in_bottom[6:3], in_right[6:3]});
-    wire [3:0] idle_choice = right_most ? (row + 4'd1) : row;
-    wire [3:0] idle_choice_2 = right_most ? splat_left[6:3] : (column + 4'd1);
-    wire idle_same = {idle_choice, idle_choice_2} == {splat_bottom[6:3], splat_right[6:3]};
+    wire locate = busy & ~located;
+    wire moves = take | step;
+    wire last_either = in_end | ({in_top[6:3], in_left[6:3]} == {in_bottom[6:3], in_right[6:3]});
+    wire [3:0] row_choice = right_most ? (row + 4'd1) : row;
+    wire [3:0] column_choice = right_most ? splat_left[6:3] : (column + 4'd1);
+    wire last_same = {row_choice, column_choice} == {splat_bottom[6:3], splat_right[6:3]};
+    wire [9:0] first_sum_bits = {3'd0, column, 3'd0};
+    wire [9:0] first_sum_sum = first_sum_bits + {3'd0, row, 3'd0};
+    wire [9:0] first_sum_difference = {2'd0, splat_first_sum} - first_sum_sum;
+    wire [9:0] past_sum_difference = ({2'd0, splat_last_sum} + 10'd1) - first_sum_sum;
+    wire [9:0] past_difference_sum = first_sum_bits + {3'd0, ~row, 3'd0};
+    wire [9:0] first_difference_difference = {2'd0, splat_first_difference} - past_difference_sum;
+    wire [3:0] first_difference_choice = |first_difference_difference[8:4] ? 4'd15 : first_difference_difference[3:0];
+    wire [9:0] past_difference_difference = ({2'd0, splat_last_difference} + 10'd1) - past_difference_sum;
+    wire [3:0] past_difference_choice = |past_difference_difference[8:4] ? 4'd15 : past_difference_difference[3:0];
 
     assign in_ready = ready;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
+        out_first_difference, out_last_difference, out_tile
     } = out_queue_out_data;
 
-    stream_half_buffer_w331 out_queue (
-        .clk(clk), .rst(rst), .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+    stream_half_buffer_w347 out_queue (
+        .clk(clk), .rst(rst), .in_valid(step & occupied), .in_ready(out_queue_in_ready),
         .in_data({
             splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
             splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
-            splat_attribute_1, splat_attribute_2, (column == splat_left[6:3]) ? splat_left[2:0] : 3'd0,
-            right_most ? splat_right[2:0] : 3'd7, (row == splat_top[6:3]) ? splat_top[2:0] : 3'd0,
-            (row == splat_bottom[6:3]) ? splat_bottom[2:0] : 3'd7, row, column
+            splat_attribute_1, splat_attribute_2, out_queue_in_data_choice_2, out_queue_in_data_choice,
+            occupied_choice_6[2:0], occupied_choice_12_minus_1[2:0], first_sum, past_sum - 4'd1, first_difference,
+            past_difference - 4'd1, row, column
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
@@ -4506,16 +4664,17 @@ module splat_splitter (
         if (rst) begin
             busy <= 1'd0;
             idle <= 1'd1;
-        end else if (out_queue_in_ready) begin
-            busy <= take | (busy & ~last);
-            idle <= take ? idle_either : (~busy | (last | idle_same));
+        end else begin
+            busy <= take | (busy & ~(step & last));
+            idle <= locate ? last : (idle & ~take);
         end
     end
     always @(posedge clk) begin
-        if (out_queue_in_ready) begin
-            last <= take ? idle_either : idle_same;
-            column <= take ? in_left[6:3] : idle_choice_2;
-            row <= take ? in_top[6:3] : idle_choice;
+        located <= locate | (located & ~moves);
+        if (moves) begin
+            last <= take ? last_either : last_same;
+            column <= take ? in_left[6:3] : column_choice;
+            row <= take ? in_top[6:3] : row_choice;
         end
         if (ready) begin
             splat_end <= in_end;
@@ -4539,19 +4698,31 @@ module splat_splitter (
             splat_right <= in_right;
             splat_top <= in_top;
             splat_bottom <= in_bottom;
+            splat_first_sum <= in_first_sum;
+            splat_last_sum <= in_last_sum;
+            splat_first_difference <= in_first_difference;
+            splat_last_difference <= in_last_difference;
+        end
+        if (locate) begin
+            first_sum <= first_sum_difference[9] ? 4'd0 : |first_sum_difference[8:4] ? 4'd15 : first_sum_difference[3:0];
+            past_sum <= past_sum_difference[9] ? 4'd0 : |past_sum_difference[8:4] ? 4'd15 : past_sum_difference[3:0];
+            first_difference <= first_difference_difference[9] ? 4'd0 : first_difference_choice;
+            past_difference <= past_difference_difference[9] ? 4'd0 : past_difference_choice;
         end
     end
+
+    wire _unused = &{1'b0, occupied_choice_10[0], occupied_choice_12_minus_1[3], occupied_choice_4[0]};
 endmodule
 
 // One item in a register, at half rate.
-// width = 331
-module stream_half_buffer_w331 (
+// width = 347
+module stream_half_buffer_w347 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [330:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [330:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [346:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [346:0] out_data
 );
     reg full;
-    reg [330:0] item;
+    reg [346:0] item;
 
     assign in_ready = ~full;
 
@@ -4565,7 +4736,7 @@ module stream_half_buffer_w331 (
     always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
-// Footprint, depth band and bounding rectangle of a splat.
+// Footprint, depth band and bounding octagon of a splat.
 // latency = 160
 // initiation_interval = 16
 module splat_setup (
@@ -4614,61 +4785,62 @@ module splat_setup (
     output wire [6:0] out_left,  // First column.
     output wire [6:0] out_right,  // Last column.
     output wire [6:0] out_top,  // First row.
-    output wire [6:0] out_bottom  // Last row.
+    output wire [6:0] out_bottom,  // Last row.
+    output wire [7:0] out_first_sum,  // Smallest sum.
+    output wire [7:0] out_last_sum,  // Largest sum.
+    output wire [7:0] out_first_difference,  // Smallest difference.
+    output wire [7:0] out_last_difference  // Largest difference.
 );
     (* ram_style = "distributed" *)
-    reg [45:0] delay_5_from_0 [0:3];
+    reg [55:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_9_from_0 [0:7];
+    reg [48:0] delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_10_from_0 [0:8];
+    reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg delay_5_from_1 [0:3];
+    reg [79:0] delay_5_from_6 [0:3];
     (* ram_style = "distributed" *)
-    reg delay_5_from_2 [0:3];
+    reg [20:0] delay_5_from_7 [0:3];
     (* ram_style = "distributed" *)
-    reg [79:0] delay_5_from_5 [0:3];
+    reg [1:0] delay_5_from_8 [0:3];
     (* ram_style = "distributed" *)
-    reg [4:0] delay_5_from_6 [0:3];
+    reg delay_7_from_10 [0:5];
     (* ram_style = "distributed" *)
-    reg [15:0] delay_5_from_15 [0:3];
+    reg [53:0] delay_7_from_14 [0:5];
     reg [3:0] phase;
     reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, load_8, load_9, load_10, load_11;
     reg load_12, load_13, load_14, load_15;
     reg [1:0] delay_5_from_0_pointer;
-    reg [45:0] delay_5_from_0_out;
-    reg [2:0] delay_9_from_0_pointer;
-    reg delay_9_from_0_out;
+    reg [55:0] delay_5_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [47:0] delay_10_from_0_out;
-    reg [1:0] delay_5_from_1_pointer;
-    reg delay_5_from_1_out;
-    reg [1:0] delay_5_from_2_pointer;
-    reg delay_5_from_2_out;
-    reg [1:0] delay_5_from_5_pointer;
-    reg [79:0] delay_5_from_5_out;
+    reg [48:0] delay_10_from_0_out;
+    reg [2:0] delay_6_from_1_pointer;
+    reg delay_6_from_1_out;
     reg [1:0] delay_5_from_6_pointer;
-    reg [4:0] delay_5_from_6_out;
-    reg [1:0] delay_5_from_15_pointer;
-    reg [15:0] delay_5_from_15_out;
-    reg end_d10;
+    reg [79:0] delay_5_from_6_out;
+    reg [1:0] delay_5_from_7_pointer;
+    reg [20:0] delay_5_from_7_out;
+    reg [1:0] delay_5_from_8_pointer, delay_5_from_8_out;
+    reg [2:0] delay_7_from_10_pointer;
+    reg delay_7_from_10_out;
+    reg [2:0] delay_7_from_14_pointer;
+    reg [53:0] delay_7_from_14_out;
     reg [23:0] center_x_d1, center_x_d2, center_y_d1, center_y_d2, tangent1_x_d1, tangent1_x_d2, tangent1_y_d1;
     reg [23:0] tangent1_y_d2, tangent1_z_d1, tangent1_z_d2, tangent2_x_d1, tangent2_x_d2, tangent2_y_d1;
     reg [23:0] tangent2_y_d2, tangent2_z_d1, tangent2_z_d2, r_d1, alpha_d1, alpha_d2, beta_d1, beta_d2, q_d1, q_d2;
     reg [23:0] f_d1, b_depth_d1, b_depth_d2, b_depth_d3, center_depth_d1, center_depth_d2, spread_middle_d1;
-    reg [23:0] abs_b_depth_d1, spread_half_d1, half_depth_lesser_d1;
+    reg [23:0] abs_b_depth_d1, spread_half_d1, spread_half_d2, half_depth_lesser_d1, half_depth_lesser_d2;
     reg before_far_d1, before_far_d2;
-    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, epsilon_d1, v_x_d1, tangent1_x_times_r_d1;
-    reg [23:0] tangent2_x_times_r_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, alpha_times_a_x_d1, t_x_sum_d1;
-    reg [23:0] a_x_squared_d1, a_x_squared_plus_b_x_squared_d1, h_x_product_d1, center_x_minus_t_x_d1;
-    reg [23:0] center_x_minus_t_x_d2, minus_h_x_d1, center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2;
-    reg [23:0] center_x_minus_filter_radius_d3, filter_radius_plus_center_x_d1, filter_radius_plus_center_x_d2;
-    reg [23:0] filter_radius_plus_center_x_d3;
+    reg [23:0] middle_depth_d1, middle_depth_d2, half_depth_d1, epsilon_d1, v_x_d1, tangent1_x_times_r_d1, a_x_d1;
+    reg [23:0] tangent2_x_times_r_d1, b_x_d1, center_x_d1_copy2, center_x_d2_copy2, center_x_d3, t_x_sum_d1, t_x_d1;
+    reg [23:0] a_x_squared_plus_b_x_squared_d1, h_x_product_d1, h_x_d1, center_x_minus_t_x_d1, center_x_minus_t_x_d2;
+    reg [23:0] center_x_minus_filter_radius_d1, center_x_minus_filter_radius_d2, filter_radius_plus_center_x_d1;
+    reg [23:0] filter_radius_plus_center_x_d2;
     reg [21:0] first_x_shifted_d1, last_x_shifted_d1, last_x_lesser_d1;
     reg [6:0] first_x_d1, first_x_d2, first_x_d3, last_x_d1, last_x_d2;
-    reg [23:0] v_y_d1, tangent1_y_times_r_d1, a_y_d1, tangent2_y_times_r_d1, b_y_d1, center_y_d1_copy2;
-    reg [23:0] center_y_d2_copy2, t_y_sum_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1;
-    reg [23:0] t_y_squared_plus_h_y_product_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2;
+    reg [23:0] v_y_d1, tangent1_y_times_r_d1, a_y_d1, b_y_d1, center_y_d1_copy2, center_y_d2_copy2, t_y_sum_d1;
+    reg [23:0] t_y_d1, a_y_squared_plus_b_y_squared_d1, h_y_product_d1, t_y_squared_plus_h_y_product_d1;
+    reg [23:0] minus_t_y_d1, center_y_minus_t_y_d1, center_y_minus_t_y_d2, minus_h_y_d1;
     reg [23:0] center_y_minus_filter_radius_d1, center_y_minus_filter_radius_d2, center_y_minus_filter_radius_d3;
     reg [23:0] filter_radius_plus_center_y_d1, filter_radius_plus_center_y_d2, filter_radius_plus_center_y_d3;
     reg [21:0] first_y_shifted_d1, last_y_shifted_d1, last_y_lesser_d1;
@@ -4680,7 +4852,7 @@ module splat_setup (
     reg [14:0] a_x_bits_d1_copy2, a_x_bits_d2_copy2;
     reg [7:0] unit_delta_chosen_d1;
     reg a_x_sign_d1, a_x_sign_d2;
-    reg [23:0] unit_delta_joined_d1, unit_delta_joined_d2;
+    reg [23:0] unit_delta_joined_d1;
     reg [10:0] a_y_bits_plus_127_d1;
     reg not_a_y_bits_is_zero_d1, not_a_y_bits_is_zero_d2, unit_delta_both_d1_copy2, a_y_bits_is_255_d1;
     reg a_y_bits_is_255_d2;
@@ -4701,7 +4873,7 @@ module splat_setup (
     reg [14:0] b_y_bits_d1_copy2, b_y_bits_d2_copy2;
     reg [7:0] unit_delta_chosen_d1_copy4;
     reg b_y_sign_d1, b_y_sign_d2;
-    reg [23:0] unit_delta_joined_d1_copy4;
+    reg [23:0] unit_delta_joined_d1_copy4, unit_delta_product_d1, minus_unit_delta_product_d1;
     reg [10:0] beta_bits_d1, beta_bits_d2, a_exponent_plus_beta_bits_d1, alpha_bits_d1, alpha_bits_d2;
     reg [10:0] b_exponent_plus_alpha_bits_d1, m_exponent_d1, mx_sum_d1;
     reg not_zero_is_beta_bits_d1, not_zero_is_beta_bits_d2, mx_both_d1, beta_bits_is_255_d1;
@@ -4710,11 +4882,11 @@ module splat_setup (
     reg [10:0] mx_sum_d1_copy2;
     reg not_zero_is_alpha_bits_d1, not_zero_is_alpha_bits_d2, mx_both_d1_copy2, alpha_bits_is_255_d1;
     reg [7:0] mx_chosen_d1_copy2;
-    reg [23:0] mx_joined_d1_copy2, my_product_d1;
+    reg [23:0] mx_joined_d1_copy2, mx_product_d1, my_product_d1, minus_my_product_d1;
     reg [10:0] a_exponent_plus_b_exponent_d1, unit_delta_bits_d1, largest_greater_d1, largest_greater_plus_154_d1;
     reg largest_sum_below_100_d1;
     reg [10:0] largest_sum_minus_100_d1, largest_chosen_d1, largest_greater_d1_copy2, largest_sum_plus_127_d1;
-    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, m_exponent_plus_27_d1, largest_d1;
+    reg [10:0] largest_chosen_d1_copy2, largest_greater_d1_copy3, m_exponent_plus_27_d1, largest_d1, largest_d2;
     reg [10:0] a_x_bits_plus_381_d1;
     reg exponent_both_d1;
     reg [7:0] exponent_chosen_d1;
@@ -4732,7 +4904,7 @@ module splat_setup (
     reg [14:0] unit_delta_bits_d1_copy2;
     reg [7:0] delta_chosen_d1;
     reg unit_delta_sign_d1;
-    reg [10:0] m_exponent_plus_127_d1, mx_bits_d1;
+    reg [10:0] m_exponent_plus_127_d1, m_exponent_plus_127_d2, mx_bits_d1;
     reg largest_below_mx_sum_d1, not_zero_is_mx_bits_d1, mx_bits_is_255_d1;
     reg [10:0] mx_sum_minus_largest_d1;
     reg [14:0] mx_bits_d1_copy2;
@@ -4743,19 +4915,34 @@ module splat_setup (
     reg [14:0] my_bits_d1_copy2;
     reg my_bits_d1_copy3;
     reg [10:0] edge_on_lesser_d1;
-    reg edge_on_lesser_below_32_d1, unit_delta_bits_is_zero_d1;
-    reg [7:0] unit_delta_product_bits_d1;
-    reg edge_on_in_order_d1, before_far_and_occupied_x_d1, visible_both_d1, end_or_visible_d1;
-    reg end_or_visible_d2, placed_d1, placed_d2;
+    reg edge_on_lesser_below_32_d1, unit_delta_bits_is_zero_d1, edge_on_in_order_d1;
+    reg [23:0] first_sum_sum_d1, first_sum_sum_d1_copy2, f_times_first_sum_sum_d1, first_sum_sum_d1_copy3;
+    reg [23:0] first_sum_product_d1, t_x_plus_t_y_d1, t_x_plus_t_y_d2, t_x_plus_t_y_d3, first_difference_sum_d1;
+    reg [23:0] t_x_minus_t_y_d1, t_x_minus_t_y_d2, t_x_minus_t_y_d3, root_of_first_sum_sum_d1, first_sum_greater_d1;
+    reg [26:0] first_sum_sum_d1_copy4;
+    reg [23:0] last_sum_greater_d1;
+    reg [26:0] last_sum_sum_d1;
+    reg [23:0] root_of_first_difference_sum_d1, first_difference_greater_d1;
+    reg [26:0] first_difference_sum_d1_copy2, last_difference_sum_d1;
+    reg [21:0] center_x_fixed_d1;
+    reg center_x_bits_below_140_d1, first_sum_both_d8;
+    reg [26:0] first_sum_difference_d1, first_sum_shifted_d1, last_sum_sum_d1_copy2, last_sum_shifted_d1;
+    reg [26:0] first_sum_greater_d1_copy2, first_sum_d1, last_sum_lesser_d1, first_difference_difference_d1;
+    reg [26:0] first_difference_shifted_d1, first_difference_sum_d1_copy3, last_difference_sum_d1_copy2;
+    reg [26:0] last_difference_shifted_d1, last_difference_sum_d1_copy3, first_difference_greater_d1_copy2;
+    reg [26:0] first_difference_d1, last_difference_lesser_d1;
+    reg first_sum_up_to_last_sum_d1, visible_in_order_d1;
+    reg [7:0] last_sum_out_d1, last_difference_out_d1;
+    reg before_far_and_occupied_x_d1, visible_both_d1, visible_both_d2, visible_d1;
+    reg center_x_bits_below_140_d1_copy2, placed_d1;
     reg [29:0] center_x_out_shifted_d1;
     reg [27:0] center_x_out_lesser_d1, center_x_out_d6, center_x_out_d7;
     reg [29:0] center_y_out_shifted_d1;
-    reg [27:0] center_y_out_lesser_d1, center_y_out_d1, center_y_out_d2, center_y_out_d3, center_y_out_d4;
-    reg [27:0] center_y_out_d5, center_y_out_d6;
+    reg [27:0] center_y_out_lesser_d1, center_y_out_d6, center_y_out_d7;
     reg [28:0] shift_shifted_d1, center_x_out_d1, shift_difference_d1, shift_shifted_d1_copy2;
     reg [28:0] shift_difference_d1_copy2;
     reg [27:0] shift_chosen_bits_d1;
-    reg [28:0] not_shift_difference_d1, shift_shifted_d1_copy3, center_y_out_d1_copy2, shift_difference_d1_copy3;
+    reg [28:0] not_shift_difference_d1, shift_shifted_d1_copy3, center_y_out_d1, shift_difference_d1_copy3;
     reg [28:0] shift_shifted_d1_copy4, shift_difference_d1_copy4;
     reg [27:0] shift_chosen_bits_d1_copy2, shift_either_d1;
     reg [28:0] not_shift_difference_d1_copy2;
@@ -4788,7 +4975,7 @@ module splat_setup (
     reg [9:0] exponent_joined_bits_d3_copy3, exponent_joined_bits_d4_copy3, exponent_joined_bits_d5_copy3;
     reg [9:0] exponent_joined_bits_d1_copy4, exponent_joined_bits_d2_copy4, exponent_joined_bits_d3_copy4;
     reg [9:0] exponent_joined_bits_d4_copy4, exponent_joined_bits_d5_copy4, mx_bits_d1_copy4, mx_bits_d2;
-    reg [9:0] mx_bits_d3, mx_bits_d4, mx_bits_d5, my_bits_d1_copy4, my_bits_d2, my_bits_d3, my_bits_d4, my_bits_d5;
+    reg [9:0] mx_bits_d3, mx_bits_d4, mx_bits_d5, my_bits_d1_copy4, my_bits_d2, my_bits_d3, my_bits_d4;
     reg [9:0] exponent_greater_d1, exponent_greater_d1_copy2, exponent_greater_d1_copy3, exponent_greater_d1_copy4;
     reg [9:0] exponent_greater_d1_copy5, exponent_d1, exponent_joined_bits_plus_126_d1;
     reg ax_out_both_d1;
@@ -4816,7 +5003,9 @@ module splat_setup (
     reg [19:0] mx_out_shifted_d1;
     reg [17:0] mx_out_lesser_d1;
     reg [9:0] my_bits_plus_126_d1;
-    reg my_out_both_d1;
+    reg not_zero_is_my_bits_d1_copy2, not_zero_is_my_bits_d2, not_zero_is_my_bits_d3, not_zero_is_my_bits_d4;
+    reg my_out_both_d1, my_sign_d1, my_sign_d2, my_sign_d3, my_sign_d4;
+    reg [14:0] my_bits_d1_copy5, my_bits_d2_copy2, my_bits_d3_copy2, my_bits_d4_copy2;
     reg [23:0] my_out_joined_d1;
     reg [19:0] my_out_shifted_d1;
     reg [17:0] my_out_lesser_d1;
@@ -4824,34 +5013,41 @@ module splat_setup (
     reg [9:0] vanishes_difference_d1;
     reg [23:0] vanishes_joined_d1, vanishes_shifted_d1;
     reg [21:0] vanishes_lesser_d1;
-    reg odd_either_d1, exponent_joined_bits_is_255_d1, odd_either_d1_copy2, odd_either_or_mx_bits_is_255_d1;
-    reg odd_either_d1_copy3, delta_bits_is_255_d1, vanishes_d1, edge_on_or_not_placed_d1;
-    reg edge_on_or_not_placed_d2;
+    reg odd_either_d1, exponent_joined_bits_is_255_d1, exponent_joined_bits_is_255_d1_copy2;
+    reg odd_either_or_mx_bits_is_255_d1, odd_either_d1_copy2, delta_bits_is_255_d1, vanishes_d1;
+    reg not_placed_d1, edge_on_or_not_placed_d1, edge_on_or_not_placed_d2;
     reg [23:0] depth_out_d1, depth_out_d2, depth_out_d3, depth_out_d4, depth_low_out_d1, depth_low_out_d2;
-    reg [23:0] depth_high_out_d1, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
+    reg [23:0] depth_high_out_d1, depth_high_out_d2, recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b, sqrt_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_a, le_f24_ftz_unit_b, min_f24_ftz_unit_a, min_f24_ftz_unit_b, max_f24_ftz_unit_a;
-    reg [23:0] max_f24_ftz_unit_b, to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_s29q15_unit_a;
-    reg [23:0] to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [23:0] mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a;
+    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [23:0] add_f24_ftz_unit_copy3_b, sqrt_f24_ftz_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
+    reg [23:0] min_f24_ftz_unit_a, min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a, to_fixed_f24_ftz_u23q8_unit_a, to_fixed_f24_ftz_s22q8_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s29q15_unit_a, to_fixed_f24_ftz_s19q18_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
     reg [9:0] in_flight;
 
     wire queue_in_ready;
-    wire [338:0] queue_out_data;
+    wire [370:0] queue_out_data;
     wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, sqrt_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_y, add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
+    wire [23:0] sqrt_f24_ftz_unit_y;
     wire le_f24_ftz_unit_y;
     wire [23:0] min_f24_ftz_unit_y, max_f24_ftz_unit_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire [22:0] to_fixed_f24_ftz_u23q8_unit_y;
+    wire [21:0] to_fixed_f24_ftz_s22q8_unit_y;
     wire [28:0] to_fixed_f24_ftz_s29q15_unit_y;
     wire [18:0] to_fixed_f24_ftz_s19q18_unit_y;
     wire [22:0] to_fixed_f24_ftz_s23q22_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
+    wire end_d10 = delay_10_from_0_out[0];
+    wire end_or_visible = end_d10 | visible_d1;
     wire phase_is_0 = phase == 4'd0;
-    wire queue_in_valid_both = in_flight[9] & end_or_visible_d2 & phase_is_0;
-    wire covers_nothing = vanishes_d1 | delay_5_from_2_out;
+    wire queue_in_valid_both = in_flight[9] & end_or_visible & phase_is_0;
+    wire odd_or_edge_on_or_not_placed_d5 = delay_5_from_8_out[1];
+    wire covers_nothing = vanishes_d1 | odd_or_edge_on_or_not_placed_d5;
     wire [17:0] ax_out = covers_nothing ? 18'd0 : ax_out_lesser_d1;
     wire [17:0] bx_out = covers_nothing ? 18'd0 : bx_out_lesser_d1;
     wire [17:0] ay_out = covers_nothing ? 18'd0 : ay_out_lesser_d1;
@@ -4859,15 +5055,14 @@ module splat_setup (
     wire [21:0] delta_out = covers_nothing ? 22'd0 : vanishes_lesser_d1;
     wire [17:0] mx_out = covers_nothing ? 18'd0 : mx_out_lesser_d1;
     wire [17:0] my_out = covers_nothing ? 18'd0 : my_out_lesser_d1;
-    wire [15:0] attribute_0_d10 = delay_10_from_0_out[15:0];
-    wire [15:0] attribute_1_d10 = delay_10_from_0_out[31:16];
-    wire [15:0] attribute_2_d10 = delay_10_from_0_out[47:32];
+    wire [15:0] attribute_0_d10 = delay_10_from_0_out[16:1];
+    wire [15:0] attribute_1_d10 = delay_10_from_0_out[32:17];
+    wire [15:0] attribute_2_d10 = delay_10_from_0_out[48:33];
     wire phase_is_15 = phase == 4'd15;
     wire [3:0] phase_next = queue_in_ready ? (phase_is_15 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
     wire advance_next = ~(out_valid & ~out_ready & (~queue_in_ready | queue_in_valid_both));
     wire [23:0] middle_depth = le_f24_ftz_unit_y ? spread_middle_d1 : center_depth_d2;
-    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d1 : half_depth_lesser_d1;
-    wire [23:0] minus_sqrt_f24_ftz_unit_y = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [23:0] half_depth = le_f24_ftz_unit_y ? spread_half_d2 : half_depth_lesser_d2;
     wire [21:0] first_x_greater_fixed_plus_126 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] first_x_shifted_d1_shifted = first_x_greater_fixed_plus_126 >> 8;
     wire [21:0] last_x_greater_fixed_plus_130 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
@@ -4875,6 +5070,7 @@ module splat_setup (
     wire [6:0] first_x = first_x_shifted_d1_shifted[6:0];
     wire [21:0] last_x_lesser_minus_1 = last_x_lesser_d1 - 22'd1;
     wire [6:0] last_x = last_x_lesser_minus_1[6:0];
+    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
     wire [21:0] first_y_greater_fixed_plus_126 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] first_y_shifted_d1_shifted = first_y_greater_fixed_plus_126 >> 8;
     wire [21:0] last_y_greater_fixed_plus_130 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
@@ -4882,11 +5078,11 @@ module splat_setup (
     wire [6:0] first_y = first_y_shifted_d1_shifted[6:0];
     wire [21:0] last_y_lesser_minus_1 = last_y_lesser_d1 - 22'd1;
     wire [6:0] last_y = last_y_lesser_minus_1[6:0];
-    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
-    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] a_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_y[22:15]};
     wire [10:0] a_exponent = (a_x_bits_d1 < a_y_bits_d1_bits) ? a_y_bits_d1_bits : a_x_bits_d1;
-    wire [10:0] b_y_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
-    wire [10:0] b_exponent = (a_x_bits_d1_bits < b_y_bits_d1_bits) ? b_y_bits_d1_bits : a_x_bits_d1_bits;
+    wire [10:0] b_x_bits_d1_bits = {3'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [10:0] b_exponent = (b_x_bits_d1 < a_x_bits_d1_bits) ? a_x_bits_d1_bits : b_x_bits_d1;
     wire [10:0] a_x_bits_plus_127 = 11'd127 + a_x_bits_d1_bits;
     wire a_x_bits_is_zero = a_x_bits_d1_bits == 11'd0;
     wire not_a_x_bits_is_zero = ~a_x_bits_is_zero;
@@ -4907,22 +5103,22 @@ module splat_setup (
     wire [10:0] unit_delta_chosen_copy3 = a_y_bits_is_255_d1 ? a_y_bits_d1 : unit_delta_difference_copy2;
     wire unit_delta_either_copy2 = unit_delta_both_d1_copy2 | a_y_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy4 = unit_delta_either_copy2 ? {unit_delta_chosen_d1_copy2, a_y_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_x_bits_plus_127 = a_x_bits_plus_127;
-    wire b_x_bits_is_zero = a_x_bits_is_zero;
+    wire [10:0] b_x_bits_plus_127 = 11'd127 + b_x_bits_d1_bits;
+    wire b_x_bits_is_zero = b_x_bits_d1_bits == 11'd0;
     wire not_b_x_bits_is_zero = ~b_x_bits_is_zero;
     wire unit_delta_in_order_copy3 = b_exponent_d1 < b_x_bits_plus_127_d1;
     wire unit_delta_both_copy3 = unit_delta_in_order_copy3 & not_b_x_bits_is_zero_d1;
-    wire b_x_bits_is_255 = a_x_bits_is_255;
+    wire b_x_bits_is_255 = b_x_bits_d1_bits == 11'd255;
     wire [10:0] unit_delta_difference_copy3 = b_x_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy5 = b_x_bits_is_255_d1 ? b_x_bits_d1 : unit_delta_difference_copy3;
     wire unit_delta_either_copy3 = unit_delta_both_d1_copy3 | b_x_bits_is_255_d1;
     wire [22:0] unit_delta_chosen_copy6 = unit_delta_either_copy3 ? {unit_delta_chosen_d1_copy3, b_x_bits_d1_copy2} : 23'd0;
-    wire [10:0] b_y_bits_plus_127 = 11'd127 + b_y_bits_d1_bits;
-    wire b_y_bits_is_zero = b_y_bits_d1_bits == 11'd0;
+    wire [10:0] b_y_bits_plus_127 = a_x_bits_plus_127;
+    wire b_y_bits_is_zero = a_x_bits_is_zero;
     wire not_b_y_bits_is_zero = ~b_y_bits_is_zero;
     wire unit_delta_in_order_copy4 = b_exponent_d1 < b_y_bits_plus_127_d1;
     wire unit_delta_both_copy4 = unit_delta_in_order_copy4 & not_b_y_bits_is_zero_d1;
-    wire b_y_bits_is_255 = b_y_bits_d1_bits == 11'd255;
+    wire b_y_bits_is_255 = a_x_bits_is_255;
     wire [10:0] unit_delta_difference_copy4 = b_y_bits_plus_127_d1 - b_exponent_d1;
     wire [10:0] unit_delta_chosen_copy7 = b_y_bits_is_255_d1 ? b_y_bits_d1 : unit_delta_difference_copy4;
     wire unit_delta_either_copy4 = unit_delta_both_d1_copy4 | b_y_bits_is_255_d1;
@@ -4932,7 +5128,7 @@ module splat_setup (
     wire [10:0] m_exponent = (a_exponent_plus_beta_bits_d1 < b_exponent_plus_alpha_bits_d1) ? b_exponent_plus_alpha_bits_d1 : a_exponent_plus_beta_bits_d1;
     wire [10:0] a_exponent_plus_127 = 11'd127 + a_exponent_d1;
     wire [10:0] mx_sum = beta_bits_d2 + a_exponent_plus_127;
-    wire zero_is_beta_bits = 11'd0 == a_y_bits_d1_bits;
+    wire zero_is_beta_bits = 11'd0 == a_x_bits_d1_bits;
     wire not_zero_is_beta_bits = ~zero_is_beta_bits;
     wire m_exponent_below_mx_sum = m_exponent_d1 < mx_sum_d1;
     wire mx_both = m_exponent_below_mx_sum & not_zero_is_beta_bits_d2;
@@ -4943,7 +5139,7 @@ module splat_setup (
     wire [22:0] mx_chosen_copy2 = mx_both_or_beta_bits_is_255 ? {mx_chosen_d1, beta_d2[14:0]} : 23'd0;
     wire [10:0] b_exponent_plus_127 = 11'd127 + b_exponent_d1;
     wire [10:0] mx_sum_copy2 = alpha_bits_d2 + b_exponent_plus_127;
-    wire zero_is_alpha_bits = 11'd0 == a_x_bits_d1_bits;
+    wire zero_is_alpha_bits = 11'd0 == a_y_bits_d1_bits;
     wire not_zero_is_alpha_bits = ~zero_is_alpha_bits;
     wire m_exponent_below_mx_sum_copy2 = m_exponent_d1 < mx_sum_d1_copy2;
     wire mx_both_copy2 = m_exponent_below_mx_sum_copy2 & not_zero_is_alpha_bits_d2;
@@ -4952,8 +5148,9 @@ module splat_setup (
     wire [10:0] mx_chosen_copy3 = alpha_bits_is_255_d1 ? alpha_bits_d2 : mx_sum_minus_m_exponent_copy2;
     wire mx_both_or_alpha_bits_is_255 = mx_both_d1_copy2 | alpha_bits_is_255_d1;
     wire [22:0] mx_chosen_copy4 = mx_both_or_alpha_bits_is_255 ? {mx_chosen_d1_copy2, alpha_d2[14:0]} : 23'd0;
+    wire [23:0] minus_mul_f24_ftz_unit_copy4_y = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
     wire [10:0] a_exponent_plus_b_exponent = a_exponent_d1 + b_exponent_d1;
-    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] unit_delta_bits_d1_bits = {3'd0, add_f24_ftz_unit_y[22:15]};
     wire [10:0] largest_greater = (a_exponent_d1 < b_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire [10:0] largest_greater_plus_154 = largest_greater_d1 + 11'd154;
     wire [10:0] largest_sum = a_exponent_plus_b_exponent_d1 + unit_delta_bits_d1_bits;
@@ -4999,54 +5196,80 @@ module splat_setup (
     wire [10:0] delta_difference = unit_delta_bits_plus_delta_sum_d1 - largest_d1;
     wire [10:0] delta_chosen = unit_delta_bits_is_255_d1 ? unit_delta_bits_d1 : delta_difference;
     wire [10:0] m_exponent_plus_127 = 11'd127 + m_exponent_d1;
-    wire [10:0] mx_bits_d1_bits = {3'd0, add_f24_ftz_unit_y[22:15]};
-    wire [10:0] mx_sum_copy3 = m_exponent_plus_127_d1 + mx_bits_d1_bits;
+    wire [10:0] mx_sum_copy3 = m_exponent_plus_127_d2 + unit_delta_bits_d1_bits;
     wire largest_below_mx_sum = largest_d1 < mx_sum_copy3;
-    wire zero_is_mx_bits = 11'd0 == mx_bits_d1_bits;
+    wire zero_is_mx_bits = zero_is_unit_delta_bits;
     wire not_zero_is_mx_bits = ~zero_is_mx_bits;
-    wire mx_bits_is_255 = 11'd255 == mx_bits_d1_bits;
+    wire mx_bits_is_255 = unit_delta_bits_is_255;
     wire [10:0] mx_sum_minus_largest = mx_sum_copy3 - largest_d1;
-    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy3_y[22:15]};
-    wire [10:0] my_sum = m_exponent_plus_127_d1 + my_bits_d1_bits;
-    wire largest_below_my_sum = largest_d1 < my_sum;
+    wire [10:0] my_bits_d1_bits = {3'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire [10:0] my_sum = m_exponent_plus_127_d2 + my_bits_d1_bits;
+    wire largest_below_my_sum = largest_d2 < my_sum;
     wire zero_is_my_bits = 11'd0 == my_bits_d1_bits;
     wire not_zero_is_my_bits = ~zero_is_my_bits;
     wire my_bits_is_255 = 11'd255 == my_bits_d1_bits;
-    wire [10:0] my_sum_minus_largest = my_sum - largest_d1;
+    wire [10:0] my_sum_minus_largest = my_sum - largest_d2;
     wire [10:0] edge_on_lesser = (b_exponent_d1 < a_exponent_d1) ? b_exponent_d1 : a_exponent_d1;
     wire edge_on_lesser_below_32 = edge_on_lesser_d1 < 11'd32;
-    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire [8:0] unit_delta_bits_is_zero_bits = {1'd0, add_f24_ftz_unit_y[22:15]};
     wire unit_delta_bits_is_zero = unit_delta_bits_is_zero_bits == 9'd0;
     wire [8:0] unit_delta_bits_plus_12 = unit_delta_bits_is_zero_bits + 9'd12;
-    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_bits_d1};
+    wire edge_on_in_order = unit_delta_bits_plus_12 < {1'd0, unit_delta_product_d1[22:15]};
+    wire [26:0] first_sum_sum = {4'd0, to_fixed_f24_ftz_u23q8_unit_y} + ({4'd0, to_fixed_f24_ftz_u23q8_unit_y} >> 7);
+    wire [26:0] last_sum_sum = first_sum_sum;
+    wire [26:0] first_difference_sum = first_sum_sum;
+    wire [26:0] last_difference_sum = first_sum_sum;
+    wire center_x_bits_below_140 = unit_delta_bits_d1_bits < 11'd140;
+    wire [26:0] first_sum_sum_d7 = delay_7_from_14_out[26:0];
+    wire [26:0] first_sum_difference = first_sum_sum_d7 - first_sum_sum_d1_copy4;
+    wire [26:0] first_sum_sum_copy3 = first_sum_difference_d1 + 27'h7fffff7;
+    wire [26:0] last_sum_sum_copy2 = last_sum_sum_d1 + first_sum_sum_d7;
+    wire [26:0] last_sum_sum_copy3 = last_sum_sum_d1_copy2 + 27'h7ffff08;
+    wire [26:0] first_sum_greater = ($signed(27'd0) < $signed(first_sum_shifted_d1)) ? first_sum_shifted_d1 : 27'd0;
+    wire [26:0] first_sum = delay_7_from_10_out ? first_sum_greater_d1_copy2 : 27'd0;
+    wire [26:0] last_sum_lesser = ($signed(last_sum_shifted_d1) < $signed(27'd255)) ? last_sum_shifted_d1 : 27'd255;
+    wire [26:0] first_difference_difference_d7 = delay_7_from_14_out[53:27];
+    wire [26:0] first_difference_difference_copy2 = first_difference_difference_d7 - first_difference_sum_d1_copy2;
+    wire [26:0] first_difference_sum_copy2 = first_difference_difference_d1 + 27'd247;
+    wire [26:0] first_difference_sum_copy3 = first_difference_shifted_d1 + 27'd127;
+    wire [26:0] last_difference_sum_copy2 = last_difference_sum_d1 + first_difference_difference_d7;
+    wire [26:0] last_difference_sum_copy3 = last_difference_sum_d1_copy2 + 27'd8;
+    wire [26:0] last_difference_sum_copy4 = 27'd127 + last_difference_shifted_d1;
+    wire [26:0] first_difference_greater = ($signed(27'd0) < $signed(first_difference_sum_d1_copy3)) ? first_difference_sum_d1_copy3 : 27'd0;
+    wire [26:0] first_difference = first_sum_both_d8 ? first_difference_greater_d1_copy2 : 27'd0;
+    wire [26:0] last_difference_lesser = ($signed(last_difference_sum_d1_copy3) < $signed(27'd255)) ? last_difference_sum_d1_copy3 : 27'd255;
+    wire [26:0] last_sum = delay_7_from_10_out ? last_sum_lesser_d1 : 27'd255;
+    wire first_sum_up_to_last_sum = ~($signed(last_sum) < $signed(first_sum_d1));
+    wire [26:0] last_difference = first_sum_both_d8 ? last_difference_lesser_d1 : 27'd255;
+    wire visible_in_order = ~($signed(last_difference) < $signed(first_difference_d1));
     wire occupied_x = first_x_shifted_d1 < last_x_lesser_d1;
     wire before_far_and_occupied_x = before_far_d2 & occupied_x;
     wire occupied_y = first_y_shifted_d1 < last_y_lesser_d1;
-    wire visible_both = occupied_y & before_far_and_occupied_x_d1;
-    wire edge_on_or_visible_unequal_d5 = delay_5_from_0_out[0];
-    wire visible = visible_both_d1 & edge_on_or_visible_unequal_d5;
-    wire end_or_visible = delay_9_from_0_out | visible;
-    wire center_x_bits_below_140 = {2'd0, add_f24_ftz_unit_y[22:15]} < 10'd140;
-    wire center_y_bits_below_140 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
-    wire placed = center_x_bits_below_140 & center_y_bits_below_140;
-    wire [29:0] center_x_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
+    wire visible_both_copy2 = occupied_y & before_far_and_occupied_x_d1;
+    wire visible_both = first_sum_up_to_last_sum_d1 & visible_in_order_d1;
+    wire visible_both_and_visible_both = visible_both & visible_both_d2;
+    wire visible = visible_both_and_visible_both & delay_6_from_1_out;
+    wire center_x_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_y[22:15]} < 10'd140;
+    wire center_y_bits_below_140_copy2 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]} < 10'd140;
+    wire placed = center_x_bits_below_140_d1_copy2 & center_y_bits_below_140_copy2;
+    wire [29:0] center_y_out_sum_bits = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
     wire not_center_x_fixed_sign = ~to_fixed_f24_ftz_s29q15_unit_y[28];
-    wire [29:0] center_x_out_sum = center_x_out_sum_bits + {29'd0, not_center_x_fixed_sign};
+    wire [29:0] center_x_out_sum = center_y_out_sum_bits + {29'd0, not_center_x_fixed_sign};
     wire [29:0] center_x_out_lesser = ($signed(center_x_out_shifted_d1) < $signed(30'h7ffffff)) ? center_x_out_shifted_d1 : 30'h7ffffff;
-    wire [27:0] center_x_out_d5 = delay_5_from_0_out[28:1];
+    wire [27:0] center_x_out_d5 = delay_5_from_0_out[27:0];
     wire not_center_y_fixed_sign = not_center_x_fixed_sign;
-    wire [29:0] center_y_out_sum = center_x_out_sum_bits + {29'd0, not_center_y_fixed_sign};
+    wire [29:0] center_y_out_sum = center_y_out_sum_bits + {29'd0, not_center_y_fixed_sign};
     wire [29:0] center_y_out_lesser = ($signed(center_y_out_shifted_d1) < $signed(30'h7ffffff)) ? center_y_out_shifted_d1 : 30'h7ffffff;
-    wire [27:0] center_y_out = placed_d2 ? center_y_out_lesser_d1 : 28'h8000000;
+    wire [27:0] center_y_out_d5 = delay_5_from_0_out[55:28];
     wire [28:0] shift_difference = shift_shifted_d1 - center_x_out_d1;
     wire [28:0] last_x_plus_1 = 29'd1 + {22'd0, last_x_d1};
     wire [28:0] shift_difference_copy2 = shift_shifted_d1_copy2 - center_x_out_d1;
     wire [28:0] not_shift_difference = ~shift_difference_d1;
     wire [28:0] shift_chosen = shift_difference_d1[28] ? not_shift_difference : shift_difference_d1;
     wire [28:0] not_shift_difference_copy2 = ~shift_difference_copy2;
-    wire [28:0] shift_difference_copy3 = shift_shifted_d1_copy3 - center_y_out_d1_copy2;
+    wire [28:0] shift_difference_copy3 = shift_shifted_d1_copy3 - center_y_out_d1;
     wire [28:0] last_y_plus_1 = 29'd1 + {22'd0, last_y_d1};
-    wire [28:0] shift_difference_copy4 = shift_shifted_d1_copy4 - center_y_out_d1_copy2;
+    wire [28:0] shift_difference_copy4 = shift_shifted_d1_copy4 - center_y_out_d1;
     wire [28:0] not_shift_difference_copy3 = ~shift_difference_d1_copy3;
     wire [28:0] shift_chosen_copy3 = shift_difference_d1_copy3[28] ? not_shift_difference_copy3 : shift_difference_d1_copy3;
     wire [28:0] shift_chosen_copy2 = shift_difference_d1_copy2[28] ? not_shift_difference_d1 : shift_difference_d1_copy2;
@@ -5118,70 +5341,70 @@ module splat_setup (
     wire [9:0] exponent_greater_copy3 = (exponent_joined_bits_d5_copy3 < exponent_greater_d1_copy2) ? exponent_greater_d1_copy2 : exponent_joined_bits_d5_copy3;
     wire [9:0] exponent_greater_copy4 = (exponent_joined_bits_d5_copy4 < exponent_greater_d1_copy3) ? exponent_greater_d1_copy3 : exponent_joined_bits_d5_copy4;
     wire [9:0] exponent_greater_copy5 = (mx_bits_d5 < exponent_greater_d1_copy4) ? exponent_greater_d1_copy4 : mx_bits_d5;
-    wire [9:0] exponent = (my_bits_d5 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d5;
+    wire [9:0] exponent = (my_bits_d4 < exponent_greater_d1_copy5) ? exponent_greater_d1_copy5 : my_bits_d4;
     wire [9:0] exponent_joined_bits_plus_126 = exponent_joined_bits_d4 + 10'd126;
     wire ax_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1;
-    wire ax_out_inverted_d5 = delay_5_from_6_out[0];
+    wire ax_out_inverted_d5 = delay_5_from_7_out[0];
     wire ax_out_both = ax_out_in_order & ax_out_inverted_d5;
-    wire exponent_joined_sign_d5 = delay_5_from_5_out[0];
+    wire exponent_joined_sign_d5 = delay_5_from_6_out[0];
     wire [9:0] ax_out_difference = exponent_joined_bits_plus_126_d1 - exponent_d1;
     wire [9:0] ax_out_chosen = ax_out_both_d1 ? ax_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy5 = delay_5_from_5_out[15:1];
+    wire [14:0] exponent_joined_bits_d5_copy5 = delay_5_from_6_out[15:1];
     wire [19:0] ax_out_sum_bits = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
     wire not_ax_out_joined_fixed_sign = ~to_fixed_f24_ftz_s19q18_unit_y[18];
     wire [19:0] ax_out_sum = ax_out_sum_bits + {19'd0, not_ax_out_joined_fixed_sign};
     wire [19:0] ax_out_lesser = ($signed(ax_out_shifted_d1) < $signed(20'h1ffff)) ? ax_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy2 = exponent_joined_bits_d4_copy2 + 10'd126;
     wire bx_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy2;
-    wire bx_out_inverted_d5 = delay_5_from_6_out[1];
+    wire bx_out_inverted_d5 = delay_5_from_7_out[1];
     wire bx_out_both = bx_out_in_order & bx_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy2 = delay_5_from_5_out[16];
+    wire exponent_joined_sign_d5_copy2 = delay_5_from_6_out[16];
     wire [9:0] bx_out_difference = exponent_joined_bits_plus_126_d1_copy2 - exponent_d1;
     wire [9:0] bx_out_chosen = bx_out_both_d1 ? bx_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy6 = delay_5_from_5_out[31:17];
+    wire [14:0] exponent_joined_bits_d5_copy6 = delay_5_from_6_out[31:17];
     wire not_bx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] bx_out_sum = ax_out_sum_bits + {19'd0, not_bx_out_joined_fixed_sign};
     wire [19:0] bx_out_lesser = ($signed(bx_out_shifted_d1) < $signed(20'h1ffff)) ? bx_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy3 = exponent_joined_bits_d4_copy3 + 10'd126;
     wire ay_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy3;
-    wire ay_out_inverted_d5 = delay_5_from_6_out[2];
+    wire ay_out_inverted_d5 = delay_5_from_7_out[2];
     wire ay_out_both = ay_out_in_order & ay_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy3 = delay_5_from_5_out[32];
+    wire exponent_joined_sign_d5_copy3 = delay_5_from_6_out[32];
     wire [9:0] ay_out_difference = exponent_joined_bits_plus_126_d1_copy3 - exponent_d1;
     wire [9:0] ay_out_chosen = ay_out_both_d1 ? ay_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy7 = delay_5_from_5_out[47:33];
+    wire [14:0] exponent_joined_bits_d5_copy7 = delay_5_from_6_out[47:33];
     wire not_ay_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] ay_out_sum = ax_out_sum_bits + {19'd0, not_ay_out_joined_fixed_sign};
     wire [19:0] ay_out_lesser = ($signed(ay_out_shifted_d1) < $signed(20'h1ffff)) ? ay_out_shifted_d1 : 20'h1ffff;
     wire [9:0] exponent_joined_bits_plus_126_copy4 = exponent_joined_bits_d4_copy4 + 10'd126;
     wire by_out_in_order = exponent_d1 < exponent_joined_bits_plus_126_d1_copy4;
-    wire by_out_inverted_d5 = delay_5_from_6_out[3];
+    wire by_out_inverted_d5 = delay_5_from_7_out[3];
     wire by_out_both = by_out_in_order & by_out_inverted_d5;
-    wire exponent_joined_sign_d5_copy4 = delay_5_from_5_out[48];
+    wire exponent_joined_sign_d5_copy4 = delay_5_from_6_out[48];
     wire [9:0] by_out_difference = exponent_joined_bits_plus_126_d1_copy4 - exponent_d1;
     wire [9:0] by_out_chosen = by_out_both_d1 ? by_out_difference : 10'd0;
-    wire [14:0] exponent_joined_bits_d5_copy8 = delay_5_from_5_out[63:49];
+    wire [14:0] exponent_joined_bits_d5_copy8 = delay_5_from_6_out[63:49];
     wire not_by_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] by_out_sum = ax_out_sum_bits + {19'd0, not_by_out_joined_fixed_sign};
     wire [19:0] by_out_lesser = ($signed(by_out_shifted_d1) < $signed(20'h1ffff)) ? by_out_shifted_d1 : 20'h1ffff;
     wire [9:0] mx_bits_plus_126 = mx_bits_d4 + 10'd126;
     wire mx_out_in_order = exponent_d1 < mx_bits_plus_126_d1;
-    wire not_zero_is_mx_bits_d5 = delay_5_from_0_out[29];
+    wire not_zero_is_mx_bits_d5 = delay_5_from_8_out[0];
     wire mx_out_both = mx_out_in_order & not_zero_is_mx_bits_d5;
-    wire mx_sign_d5 = delay_5_from_15_out[0];
+    wire mx_sign_d5 = delay_5_from_7_out[4];
     wire [9:0] mx_out_difference = mx_bits_plus_126_d1 - exponent_d1;
     wire [9:0] mx_out_chosen = mx_out_both_d1 ? mx_out_difference : 10'd0;
-    wire [14:0] mx_bits_d5_copy2 = delay_5_from_15_out[15:1];
+    wire [14:0] mx_bits_d5_copy2 = delay_5_from_7_out[19:5];
     wire not_mx_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] mx_out_sum = ax_out_sum_bits + {19'd0, not_mx_out_joined_fixed_sign};
     wire [19:0] mx_out_lesser = ($signed(mx_out_shifted_d1) < $signed(20'h1ffff)) ? mx_out_shifted_d1 : 20'h1ffff;
-    wire [9:0] my_bits_plus_126 = my_bits_d4 + 10'd126;
+    wire [9:0] my_bits_plus_126 = my_bits_d3 + 10'd126;
+    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
+    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
     wire my_out_in_order = exponent_d1 < my_bits_plus_126_d1;
-    wire my_out_both = my_out_in_order & delay_5_from_1_out;
-    wire my_sign_d5 = delay_5_from_0_out[30];
+    wire my_out_both = my_out_in_order & not_zero_is_my_bits_d4;
     wire [9:0] my_out_difference = my_bits_plus_126_d1 - exponent_d1;
     wire [9:0] my_out_chosen = my_out_both_d1 ? my_out_difference : 10'd0;
-    wire [14:0] my_bits_d5_copy2 = delay_5_from_0_out[45:31];
     wire not_my_out_joined_fixed_sign = not_ax_out_joined_fixed_sign;
     wire [19:0] my_out_sum = ax_out_sum_bits + {19'd0, not_my_out_joined_fixed_sign};
     wire [19:0] my_out_lesser = ($signed(my_out_shifted_d1) < $signed(20'h1ffff)) ? my_out_shifted_d1 : 20'h1ffff;
@@ -5189,11 +5412,11 @@ module splat_setup (
     wire [9:0] delta_bits_plus_126 = delta_bits_d5 + 10'd126;
     wire vanishes_in_order = shift_plus_4_plus_exponent < delta_bits_plus_126;
     wire [9:0] vanishes_difference = delta_bits_plus_126 - shift_plus_4_plus_exponent;
-    wire delta_sign_d5 = delay_5_from_5_out[64];
-    wire not_zero_is_delta_bits_d5 = delay_5_from_6_out[4];
+    wire delta_sign_d5 = delay_5_from_6_out[64];
+    wire not_zero_is_delta_bits_d5 = delay_5_from_7_out[20];
     wire vanishes_both = vanishes_in_order_d1 & not_zero_is_delta_bits_d5;
     wire [9:0] vanishes_chosen = vanishes_both ? vanishes_difference_d1 : 10'd0;
-    wire [14:0] delta_bits_d5_copy2 = delay_5_from_5_out[79:65];
+    wire [14:0] delta_bits_d5_copy2 = delay_5_from_6_out[79:65];
     wire [23:0] vanishes_sum_bits = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
     wire not_vanishes_joined_fixed_sign = ~to_fixed_f24_ftz_s23q22_unit_y[22];
     wire [23:0] vanishes_sum = vanishes_sum_bits + {23'd0, not_vanishes_joined_fixed_sign};
@@ -5202,121 +5425,140 @@ module splat_setup (
     wire exponent_joined_bits_is_255_copy2 = exponent_joined_bits_d1_copy2 == 10'd255;
     wire odd_either = exponent_joined_bits_is_255 | exponent_joined_bits_is_255_copy2;
     wire exponent_joined_bits_is_255_copy3 = exponent_joined_bits_d1_copy3 == 10'd255;
-    wire odd_either_copy2 = odd_either_d1 | exponent_joined_bits_is_255_d1;
     wire exponent_joined_bits_is_255_copy4 = exponent_joined_bits_d1_copy4 == 10'd255;
-    wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_copy4;
+    wire odd_either_copy2 = odd_either_d1 | exponent_joined_bits_is_255_d1;
+    wire odd_either_copy3 = odd_either_copy2 | exponent_joined_bits_is_255_d1_copy2;
     wire mx_bits_is_255_copy2 = mx_bits_d1_copy4 == 10'd255;
-    wire odd_either_or_mx_bits_is_255 = odd_either_d1_copy2 | mx_bits_is_255_copy2;
+    wire odd_either_or_mx_bits_is_255 = odd_either_copy3 | mx_bits_is_255_copy2;
     wire my_bits_is_255_copy2 = my_bits_d1_copy4 == 10'd255;
     wire odd_either_copy4 = odd_either_or_mx_bits_is_255_d1 | my_bits_is_255_copy2;
     wire delta_bits_is_255 = delta_bits_d1 == 10'd255;
     wire vanishes_in_order_copy2 = $signed(vanishes_lesser_d1) < $signed(22'd32);
     wire vanishes_in_order_copy3 = $signed(22'h3fffe0) < $signed(vanishes_lesser_d1);
     wire vanishes = vanishes_in_order_copy2 & vanishes_in_order_copy3;
+    wire not_placed = ~placed_d1;
     wire edge_on_either = unit_delta_bits_is_zero_d1 | edge_on_in_order_d1;
     wire edge_on = edge_on_lesser_below_32_d1 | edge_on_either;
-    wire not_placed = ~placed_d2;
-    wire edge_on_or_not_placed = edge_on | not_placed;
+    wire edge_on_or_not_placed = edge_on | not_placed_d1;
     wire [23:0] recip_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? beta_d2 : half_depth_d1) : phase[0] ? f_d1 : beta_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : b_depth_d3) : scale_x;
-    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[2] ? mul_f24_ftz_unit_a_choice : mul_f24_ftz_unit_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? r_d1 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : q_d2;
-    wire [23:0] mul_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? abs_b_depth_d1 : unit_delta_joined_d1) : phase[0] ? unit_delta_joined_d1_copy4 : b_x_d1;
-    wire [23:0] mul_f24_ftz_unit_a_choice_6 = phase[2] ? mul_f24_ftz_unit_a_choice_4 : mul_f24_ftz_unit_a_choice_5;
-    wire [23:0] mul_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : epsilon_scale) : phase[0] ? sqrt_f24_ftz_unit_y : v_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[2] ? mul_f24_ftz_unit_b_choice : mul_f24_ftz_unit_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : unit_delta_joined_d1_copy4) : phase[0] ? mx_joined_d1_copy2 : b_x_d1;
-    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[2] ? (phase[1] ? (phase[0] ? depth_b : r_d1) : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_b_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? scale_y : f_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? (phase[1] ? alpha_d2 : phase[0] ? scale_x : alpha_d1) : mul_f24_ftz_unit_copy2_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? tangent1_y_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? unit_delta_joined_d1_copy2 : phase[0] ? unit_delta_joined_d1_copy2 : a_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice_4 : mul_f24_ftz_unit_copy2_a_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_b_choice : phase[0] ? v_x_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? add_f24_ftz_unit_copy2_y : a_x_squared_plus_b_x_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy2_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_2 : mul_f24_ftz_unit_copy2_b_choice_4;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[1] ? unit_delta_joined_d1_copy3 : phase[0] ? mx_joined_d1 : a_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_7 = phase[2] ? (phase[1] ? r_d1 : phase[0] ? recip_f24_ftz_unit_y : t_x_sum_d1) : mul_f24_ftz_unit_copy2_b_choice_6;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? beta_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : beta_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy2_a_choice;
+    wire [23:0] mul_f24_ftz_unit_a_choice = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? scale_y : half_depth_d1;
+    wire [23:0] mul_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? alpha_d2 : phase[0] ? b_depth_d3 : alpha_d1) : mul_f24_ftz_unit_a_choice;
+    wire [23:0] mul_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? r_d1 : tangent1_x_d2) : phase[0] ? tangent1_z_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_a_choice_4 = phase[2] ? mul_f24_ftz_unit_a_choice_3 : phase[1] ? unit_delta_joined_d1 : 24'h3f8008;
+    wire [23:0] mul_f24_ftz_unit_b_choice = phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_b_choice_2 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? mul_f24_ftz_unit_copy2_y : v_y_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_3 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_copy2_y : epsilon_scale;
+    wire [23:0] mul_f24_ftz_unit_b_choice_4 = phase[2] ? mul_f24_ftz_unit_b_choice_2 : mul_f24_ftz_unit_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? depth_b : r_d1) : phase[0] ? recip_f24_ftz_unit_y : t_x_sum_d1;
+    wire [23:0] mul_f24_ftz_unit_b_choice_6 = phase[2] ? mul_f24_ftz_unit_b_choice_5 : phase[1] ? unit_delta_joined_d1_copy4 : first_sum_sum_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? scale_y : scale_x;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? (phase[1] ? beta_d2 : phase[0] ? abs_b_depth_d1 : scale_x) : mul_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? q_d2 : tangent2_x_d2) : phase[0] ? tangent2_z_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_a_choice_5 = phase[2] ? mul_f24_ftz_unit_copy2_a_choice_4 : phase[1] ? unit_delta_joined_d1_copy2 : a_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? mul_f24_ftz_unit_copy3_y : v_x_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice : mul_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_4 = phase[0] ? recip_f24_ftz_unit_y : a_x_squared_plus_b_x_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? f_d1 : r_d1) : mul_f24_ftz_unit_copy2_b_choice_4;
+    wire [23:0] mul_f24_ftz_unit_copy2_b_choice_6 = phase[2] ? mul_f24_ftz_unit_copy2_b_choice_5 : phase[1] ? unit_delta_joined_d1_copy3 : a_y_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? filter_radius : tangent2_y_d2;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? unit_delta_joined_d1_copy4 : scale_x;
     wire [23:0] mul_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice : mul_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? tangent2_y_d2 : center_y_d2) : phase[0] ? center_x_d2 : recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? unit_delta_joined_d2 : phase[0] ? unit_delta_joined_d1_copy3 : b_y_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy3_a_choice_4 : mul_f24_ftz_unit_copy3_a_choice_5;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : phase[0] ? v_y_d1 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[0] ? add_f24_ftz_unit_copy3_y : a_y_squared_plus_b_y_squared_d1;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[1] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_3;
-    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_5 = phase[2] ? (phase[1] ? r_d1 : phase[0] ? recip_f24_ftz_unit_y : t_y_sum_d1) : phase[1] ? mx_joined_d1 : phase[0] ? mx_joined_d1_copy2 : b_y_d1;
-    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? minus_filter_radius : phase[0] ? minus_filter_radius : depth_a;
-    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? center_x_minus_t_x_d2 : center_x_d2_copy2) : phase[0] ? spread_middle_d1 : 24'h3f8000;
+    wire [23:0] mul_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? f_d1 : tangent1_y_d2) : phase[0] ? center_x_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? 24'h3fb600 : r_d1;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mx_joined_d1_copy2 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? mul_f24_ftz_unit_copy3_b_choice : mul_f24_ftz_unit_copy3_b_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? sqrt_f24_ftz_unit_y : r_d1) : phase[0] ? recip_f24_ftz_unit_y : t_y_sum_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice = phase[1] ? mul_f24_ftz_unit_copy2_a_choice : phase[0] ? scale_y : beta_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_2 = phase[0] ? unit_delta_joined_d1_copy3 : unit_delta_joined_d1_copy2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_3 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : unit_delta_joined_d1) : mul_f24_ftz_unit_copy4_a_choice_2;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_4 = phase[2] ? mul_f24_ftz_unit_copy4_a_choice : mul_f24_ftz_unit_copy4_a_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_5 = phase[1] ? (phase[0] ? f_d1 : center_y_d2) : phase[0] ? center_y_d2 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_a_choice_6 = phase[2] ? mul_f24_ftz_unit_copy4_a_choice_5 : recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mx_joined_d1) : phase[0] ? mx_joined_d1_copy2 : mx_joined_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_2 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_copy2_a_choice : v_y_d1) : mul_f24_ftz_unit_copy4_b_choice;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_3 = phase[0] ? recip_f24_ftz_unit_y : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_4 = phase[1] ? (phase[0] ? first_sum_sum_d1_copy2 : recip_f24_ftz_unit_y) : mul_f24_ftz_unit_copy4_b_choice_3;
+    wire [23:0] mul_f24_ftz_unit_copy4_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy4_b_choice_4 : a_y_squared_plus_b_y_squared_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? mx_product_d1 : mul_f24_ftz_unit_y) : phase[0] ? depth_a : center_x_minus_t_x_d2;
+    wire [23:0] add_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? h_x_d1 : add_f24_ftz_unit_y) : phase[0] ? unit_delta_product_d1 : 24'h3f8000;
     wire [23:0] add_f24_ftz_unit_a_choice_3 = phase[2] ? add_f24_ftz_unit_a_choice : add_f24_ftz_unit_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : a_x_squared_d1) : phase[0] ? alpha_times_a_x_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? origin_x : tangent2_x_times_r_d1) : phase[0] ? mul_f24_ftz_unit_y : center_depth_d1;
+    wire [23:0] add_f24_ftz_unit_a_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy2_y) : mul_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_a_choice_5 = phase[1] ? (phase[0] ? center_depth_d1 : origin_x) : mul_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_a_choice_6 = phase[2] ? add_f24_ftz_unit_a_choice_4 : add_f24_ftz_unit_a_choice_5;
-    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? center_y_d2_copy2 : phase[0] ? center_y_d2_copy2 : b_depth_d2;
-    wire [23:0] minus_mul_f24_ftz_unit_copy2_y = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_copy3_y : epsilon_bias) : phase[0] ? b_depth_d2 : {~h_x_d1[23], h_x_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? center_x_minus_t_x_d2 : {~spread_half_d1[23], spread_half_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[0] ? minus_unit_delta_product_d1 : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[1] ? add_f24_ftz_unit_b_choice_2 : add_f24_ftz_unit_b_choice_3;
+    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_4;
+    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[1] ? mul_f24_ftz_unit_b_choice : phase[0] ? mul_f24_ftz_unit_copy2_y : h_x_product_d1;
+    wire [23:0] add_f24_ftz_unit_b_choice_8 = phase[2] ? add_f24_ftz_unit_b_choice_6 : add_f24_ftz_unit_b_choice_7;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? center_x_d3 : my_product_d1) : phase[0] ? center_y_minus_t_y_d2 : sqrt_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_x_d3) : middle_depth_d2;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[2] ? add_f24_ftz_unit_copy2_a_choice : add_f24_ftz_unit_copy2_a_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = phase[1] ? (phase[0] ? origin_y : tangent1_y_times_r_d1) : phase[0] ? tangent1_x_times_r_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy2_a_choice_6 = phase[2] ? add_f24_ftz_unit_copy2_a_choice_4 : add_f24_ftz_unit_copy2_a_choice_5;
+    wire [23:0] minus_filter_radius = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_filter_radius : minus_my_product_d1) : phase[0] ? minus_h_y_d1 : center_y_minus_t_y_d2;
     wire [23:0] minus_mul_f24_ftz_unit_y = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_2 = phase[0] ? minus_mul_f24_ftz_unit_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? minus_h_x_d1 : minus_mul_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_b_choice_4 = phase[2] ? add_f24_ftz_unit_b_choice : add_f24_ftz_unit_b_choice_3;
-    wire [23:0] add_f24_ftz_unit_b_choice_5 = phase[1] ? (phase[0] ? minus_mul_f24_ftz_unit_y : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : epsilon_bias;
-    wire [23:0] add_f24_ftz_unit_b_choice_6 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : minus_mul_f24_ftz_unit_y) : mul_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] add_f24_ftz_unit_b_choice_7 = phase[2] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_6;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice = phase[1] ? (phase[0] ? center_x_d2_copy2 : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_2 = phase[2] ? center_y_minus_t_y_d2 : add_f24_ftz_unit_copy2_a_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_3 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : origin_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_4 = phase[1] ? (phase[0] ? origin_y : tangent1_y_times_r_d1) : phase[0] ? tangent1_x_times_r_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_a_choice_5 = phase[2] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice = phase[1] ? (phase[0] ? minus_filter_radius : center_x_minus_t_x_d2) : minus_mul_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[2] ? minus_sqrt_f24_ftz_unit_y : add_f24_ftz_unit_copy2_b_choice;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[0] ? mul_f24_ftz_unit_copy3_y : minus_mul_f24_ftz_unit_copy2_y;
-    wire [23:0] minus_mul_f24_ftz_unit_copy3_y = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? add_f24_ftz_unit_copy2_b_choice_3 : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_x_product_d1;
-    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[2] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_b_choice_4;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? filter_radius : phase[0] ? filter_radius : sqrt_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? (phase[0] ? filter_radius : center_y_d2_copy2) : my_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_2 = phase[1] ? (phase[0] ? center_x_d3 : minus_mul_f24_ftz_unit_y) : phase[0] ? epsilon_d1 : {~epsilon_d1[23], epsilon_d1[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_3 = phase[2] ? add_f24_ftz_unit_copy2_b_choice : add_f24_ftz_unit_copy2_b_choice_2;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_4 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : first_sum_sum_d1_copy3) : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_5 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : minus_mul_f24_ftz_unit_y) : phase[0] ? minus_mul_f24_ftz_unit_copy3_y : h_y_product_d1;
+    wire [23:0] add_f24_ftz_unit_copy2_b_choice_6 = phase[2] ? add_f24_ftz_unit_copy2_b_choice_4 : add_f24_ftz_unit_copy2_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice = phase[1] ? (phase[0] ? filter_radius : t_x_d1) : phase[0] ? minus_filter_radius : center_y_d2_copy2;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_2 = phase[1] ? center_y_d2_copy2 : phase[0] ? t_x_d1 : root_of_first_difference_sum_d1;
     wire [23:0] add_f24_ftz_unit_copy3_a_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_a_choice : add_f24_ftz_unit_copy3_a_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? middle_depth_d2 : tangent2_y_times_r_d1) : phase[0] ? middle_depth_d2 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? center_y_d2_copy2 : phase[0] ? center_y_d2_copy2 : center_y_minus_t_y_d2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? (phase[0] ? center_x_d2_copy2 : minus_mul_f24_ftz_unit_copy3_y) : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_4 = phase[1] ? (phase[0] ? root_of_first_difference_sum_d1 : mul_f24_ftz_unit_y) : phase[0] ? t_x_minus_t_y_d3 : root_of_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_5 = phase[1] ? (phase[0] ? t_x_plus_t_y_d3 : mul_f24_ftz_unit_copy3_y) : phase[0] ? tangent2_x_times_r_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_copy3_a_choice_6 = phase[2] ? add_f24_ftz_unit_copy3_a_choice_4 : add_f24_ftz_unit_copy3_a_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice = phase[1] ? (phase[0] ? center_y_d2_copy2 : t_y_d1) : phase[0] ? center_y_d2_copy2 : minus_mul_f24_ftz_unit_copy3_y;
+    wire [23:0] minus_t_x_minus_t_y_d3 = {~t_x_minus_t_y_d3[23], t_x_minus_t_y_d3[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_2 = phase[1] ? minus_mul_f24_ftz_unit_copy3_y : phase[0] ? minus_t_y_d1 : minus_t_x_minus_t_y_d3;
     wire [23:0] add_f24_ftz_unit_copy3_b_choice_3 = phase[2] ? add_f24_ftz_unit_copy3_b_choice : add_f24_ftz_unit_copy3_b_choice_2;
-    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[1] ? (phase[0] ? epsilon_d1 : minus_mul_f24_ftz_unit_copy3_y) : phase[0] ? {~epsilon_d1[23], epsilon_d1[22:0]} : h_y_product_d1;
-    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] le_f24_ftz_unit_a_choice = phase[2] ? (phase[1] ? center_depth_d2 : phase[0] ? center_depth_d2 : 24'd0) : 24'd0;
-    wire [23:0] le_f24_ftz_unit_b_choice = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y) : 24'h3f8000;
-    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[2] ? (phase[1] ? 24'h45fff8 : max_f24_ftz_unit_y) : min_f24_ftz_unit_a_choice;
-    wire [23:0] min_f24_ftz_unit_b_choice = phase[0] ? center_y_minus_filter_radius_d3 : center_x_minus_filter_radius_d3;
-    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[2] ? (phase[1] ? max_f24_ftz_unit_y : 24'h45fff8) : phase[1] ? min_f24_ftz_unit_b_choice : abs_b_depth_d1;
-    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? add_f24_ftz_unit_copy3_y : phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[1] ? min_f24_ftz_unit_y : phase[0] ? min_f24_ftz_unit_y : middle_depth_d1;
-    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[1] ? max_f24_ftz_unit_b_choice_3 : filter_radius_plus_center_x_d3;
-    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[2] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_4;
-    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice = phase[1] ? (phase[0] ? center_y_d1_copy2 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] to_fixed_f24_ftz_s29q15_unit_a_choice_2 = phase[2] ? center_y_d1_copy2 : to_fixed_f24_ftz_s29q15_unit_a_choice;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_4 = phase[0] ? minus_t_x_minus_t_y_d3 : {~first_sum_sum_d1_copy3[23], first_sum_sum_d1_copy3[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_5 = phase[0] ? root_of_first_difference_sum_d1 : {~t_x_plus_t_y_d3[23], t_x_plus_t_y_d3[22:0]};
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_6 = phase[1] ? add_f24_ftz_unit_copy3_b_choice_4 : add_f24_ftz_unit_copy3_b_choice_5;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_7 = phase[0] ? root_of_first_sum_sum_d1 : minus_mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_8 = phase[0] ? minus_mul_f24_ftz_unit_copy4_y : f_times_first_sum_sum_d1;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_9 = phase[1] ? add_f24_ftz_unit_copy3_b_choice_7 : add_f24_ftz_unit_copy3_b_choice_8;
+    wire [23:0] add_f24_ftz_unit_copy3_b_choice_10 = phase[2] ? add_f24_ftz_unit_copy3_b_choice_6 : add_f24_ftz_unit_copy3_b_choice_9;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice = phase[0] ? add_f24_ftz_unit_copy2_y : t_y_squared_plus_h_y_product_d1;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_2 = phase[1] ? t_y_squared_plus_h_y_product_d1 : phase[0] ? t_y_squared_plus_h_y_product_d1 : add_f24_ftz_unit_y;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_3 = phase[2] ? (phase[1] ? first_difference_sum_d1 : sqrt_f24_ftz_unit_a_choice) : sqrt_f24_ftz_unit_a_choice_2;
+    wire [23:0] sqrt_f24_ftz_unit_a_choice_4 = phase[2] ? (phase[1] ? (phase[0] ? add_f24_ftz_unit_y : q_d1) : q_d1) : q_d1;
+    wire [23:0] le_f24_ftz_unit_b_choice = phase[2] ? (phase[1] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_a_choice = phase[1] ? 24'h45fff8 : phase[0] ? max_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] min_f24_ftz_unit_a_choice_2 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h470000;
+    wire [23:0] min_f24_ftz_unit_a_choice_3 = phase[2] ? min_f24_ftz_unit_a_choice : min_f24_ftz_unit_a_choice_2;
+    wire [23:0] min_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? last_sum_greater_d1 : first_sum_greater_d1) : max_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_b_choice_2 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? 24'h45fff8 : center_y_minus_filter_radius_d3;
+    wire [23:0] min_f24_ftz_unit_b_choice_3 = phase[1] ? (phase[0] ? center_x_minus_filter_radius_d2 : abs_b_depth_d1) : phase[0] ? max_f24_ftz_unit_y : first_difference_greater_d1;
+    wire [23:0] min_f24_ftz_unit_b_choice_4 = phase[2] ? min_f24_ftz_unit_b_choice_2 : min_f24_ftz_unit_b_choice_3;
+    wire [23:0] max_f24_ftz_unit_a_choice = phase[1] ? (phase[0] ? 24'd0 : first_sum_product_d1) : first_sum_product_d1;
+    wire [23:0] max_f24_ftz_unit_a_choice_2 = phase[2] ? max_f24_ftz_unit_a_choice : phase[1] ? first_sum_product_d1 : 24'd0;
+    wire [23:0] max_f24_ftz_unit_a_choice_3 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y) : 24'd0;
+    wire [23:0] max_f24_ftz_unit_a_choice_4 = phase[2] ? (phase[1] ? 24'd0 : phase[0] ? 24'd0 : add_f24_ftz_unit_copy2_y) : max_f24_ftz_unit_a_choice_3;
+    wire [23:0] max_f24_ftz_unit_b_choice = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_2 = phase[2] ? max_f24_ftz_unit_b_choice : phase[1] ? add_f24_ftz_unit_copy3_y : min_f24_ftz_unit_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_3 = phase[1] ? min_f24_ftz_unit_y : phase[0] ? middle_depth_d1 : filter_radius_plus_center_y_d3;
+    wire [23:0] max_f24_ftz_unit_b_choice_4 = phase[0] ? filter_radius_plus_center_y_d3 : filter_radius_plus_center_x_d2;
+    wire [23:0] max_f24_ftz_unit_b_choice_5 = phase[1] ? max_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] max_f24_ftz_unit_b_choice_6 = phase[2] ? max_f24_ftz_unit_b_choice_3 : max_f24_ftz_unit_b_choice_5;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice = phase[2] ? add_f24_ftz_unit_copy2_y : phase[1] ? add_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
+    wire [23:0] to_fixed_f24_ftz_s22q8_unit_a_choice_2 = phase[3] ? to_fixed_f24_ftz_s22q8_unit_a_choice : add_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice = phase[1] ? my_out_joined_d1 : phase[0] ? mx_out_joined_d1 : by_out_joined_d1;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_2 = phase[2] ? my_out_joined_d1 : to_fixed_f24_ftz_s19q18_unit_a_choice;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_3 = phase[1] ? (phase[0] ? ay_out_joined_d1 : bx_out_joined_d1) : ax_out_joined_d1;
     wire [23:0] to_fixed_f24_ftz_s19q18_unit_a_choice_4 = phase[2] ? to_fixed_f24_ftz_s19q18_unit_a_choice_3 : ax_out_joined_d1;
-    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
-    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
+    wire [27:0] center_y_out = placed_d1 ? center_y_out_lesser_d1 : 28'h8000000;
     wire [27:0] center_x_out = placed_d1 ? center_x_out_lesser_d1 : 28'h8000000;
     wire visible_unequal = scale_x[23] ^ scale_y[23];
     wire visible_unequal_copy2 = unit_delta_sign_d1 ^ visible_unequal;
     wire edge_on_or_visible_unequal = edge_on | visible_unequal_copy2;
-    wire zero_is_my_bits_copy2 = 10'd0 == my_bits_d1_copy4;
-    wire not_zero_is_my_bits_copy2 = ~zero_is_my_bits_copy2;
-    wire odd = odd_either_d1_copy3 | delta_bits_is_255_d1;
-    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d2;
     wire zero_is_delta_bits = 10'd0 == delta_bits_d1;
     wire not_zero_is_delta_bits = ~zero_is_delta_bits;
     wire zero_is_exponent_joined_bits_copy4 = 10'd0 == exponent_joined_bits_d1_copy4;
@@ -5327,20 +5569,32 @@ module splat_setup (
     wire bx_out_inverted = ~zero_is_exponent_joined_bits_copy2;
     wire zero_is_exponent_joined_bits = 10'd0 == exponent_joined_bits_d1;
     wire ax_out_inverted = ~zero_is_exponent_joined_bits;
+    wire odd = odd_either_d1_copy2 | delta_bits_is_255_d1;
+    wire odd_or_edge_on_or_not_placed = odd | edge_on_or_not_placed_d2;
+    wire zero_is_mx_bits_copy2 = 10'd0 == mx_bits_d1_copy4;
+    wire not_zero_is_mx_bits_copy2 = ~zero_is_mx_bits_copy2;
+    wire center_y_bits_below_140 = my_bits_d1_bits < 11'd140;
+    wire first_sum_both = center_x_bits_below_140_d1 & center_y_bits_below_140;
+    wire [26:0] first_difference_difference_bits = {{5{center_x_fixed_d1[21]}}, center_x_fixed_d1};
+    wire [26:0] first_difference_difference_bits_2 = {{5{to_fixed_f24_ftz_s22q8_unit_y[21]}}, to_fixed_f24_ftz_s22q8_unit_y};
+    wire [26:0] first_difference_difference = first_difference_difference_bits - first_difference_difference_bits_2;
+    wire [26:0] first_sum_sum_copy2 = first_difference_difference_bits + first_difference_difference_bits_2;
 
     assign in_ready = load_0;
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
         out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
-        out_attribute_2, out_left, out_right, out_top, out_bottom
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_first_sum, out_last_sum,
+        out_first_difference, out_last_difference
     } = queue_out_data;
 
-    stream_skid_w339 queue (
+    stream_skid_w371 queue (
         .clk(clk), .rst(rst), .in_valid(queue_in_valid_both), .in_ready(queue_in_ready),
         .in_data({
-            end_d10, center_x_out_d7, center_y_out_d6, ax_out, bx_out, ay_out, by_out, delta_out, mx_out, my_out,
-            shift_d2, depth_out_d4, depth_low_out_d2, depth_high_out_d1, attribute_0_d10, attribute_1_d10,
-            attribute_2_d10, first_x_d3, last_x_d2, first_y_d3, last_y_d2
+            end_d10, center_x_out_d7, center_y_out_d7, ax_out, bx_out, ay_out, by_out, delta_out, mx_out, my_out,
+            shift_d2, depth_out_d4, depth_low_out_d2, depth_high_out_d2, attribute_0_d10, attribute_1_d10,
+            attribute_2_d10, first_x_d3, last_x_d2, first_y_d3, last_y_d2, first_sum_d1[7:0], last_sum_out_d1,
+            first_difference_d1[7:0], last_difference_out_d1
         }),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
@@ -5362,6 +5616,11 @@ module splat_setup (
     float_mul_s5_f24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
+    );
+
+    float_mul_s5_f24ftz mul_f24_ftz_unit_copy4 (
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
+        .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_f24ftz add_f24_ftz_unit (
@@ -5403,6 +5662,16 @@ module splat_setup (
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
+    float_to_fixed_s3_f24ftz_w23_f8_unsigned to_fixed_f24_ftz_u23q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u23q8_unit_a),
+        .y(to_fixed_f24_ftz_u23q8_unit_y)
+    );
+
+    float_to_fixed_s3_f24ftz_w22_f8_signed to_fixed_f24_ftz_s22q8_unit (
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s22q8_unit_a),
+        .y(to_fixed_f24_ftz_s22q8_unit_y)
+    );
+
     float_to_fixed_s3_f24ftz_w29_f15_signed to_fixed_f24_ftz_s29q15_unit (
         .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s29q15_unit_a),
         .y(to_fixed_f24_ftz_s29q15_unit_y)
@@ -5442,13 +5711,13 @@ module splat_setup (
             load_14 <= 1'd0;
             load_15 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_9_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
-            delay_5_from_1_pointer <= 2'd0;
-            delay_5_from_2_pointer <= 2'd0;
-            delay_5_from_5_pointer <= 2'd0;
+            delay_6_from_1_pointer <= 3'd0;
             delay_5_from_6_pointer <= 2'd0;
-            delay_5_from_15_pointer <= 2'd0;
+            delay_5_from_7_pointer <= 2'd0;
+            delay_5_from_8_pointer <= 2'd0;
+            delay_7_from_10_pointer <= 3'd0;
+            delay_7_from_14_pointer <= 3'd0;
             in_flight <= 10'd0;
         end else begin
             phase <= phase_next;
@@ -5470,30 +5739,31 @@ module splat_setup (
             load_15 <= advance_next & (phase_next == 4'd15);
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
                 in_flight <= {in_flight[8:0], in_valid};
             end
             if (load_1) begin
-                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
-            end
-            if (load_2) begin
-                delay_5_from_2_pointer <= (delay_5_from_2_pointer == 2'd3) ? (delay_5_from_2_pointer - 2'd3) : (delay_5_from_2_pointer + 2'd1);
-            end
-            if (load_5) begin
-                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
             end
             if (load_6) begin
                 delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
             end
-            if (load_15) begin
-                delay_5_from_15_pointer <= (delay_5_from_15_pointer == 2'd3) ? (delay_5_from_15_pointer - 2'd3) : (delay_5_from_15_pointer + 2'd1);
+            if (load_7) begin
+                delay_5_from_7_pointer <= (delay_5_from_7_pointer == 2'd3) ? (delay_5_from_7_pointer - 2'd3) : (delay_5_from_7_pointer + 2'd1);
+            end
+            if (load_8) begin
+                delay_5_from_8_pointer <= (delay_5_from_8_pointer == 2'd3) ? (delay_5_from_8_pointer - 2'd3) : (delay_5_from_8_pointer + 2'd1);
+            end
+            if (load_10) begin
+                delay_7_from_10_pointer <= (delay_7_from_10_pointer == 3'd5) ? (delay_7_from_10_pointer - 3'd5) : (delay_7_from_10_pointer + 3'd1);
+            end
+            if (load_14) begin
+                delay_7_from_14_pointer <= (delay_7_from_14_pointer == 3'd5) ? (delay_7_from_14_pointer - 3'd5) : (delay_7_from_14_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            end_d10 <= delay_9_from_0_out;
             center_x_d1 <= in_center_x;
             center_x_d2 <= center_x_d1;
             center_y_d1 <= in_center_y;
@@ -5510,10 +5780,7 @@ module splat_setup (
             tangent2_y_d2 <= tangent2_y_d1;
             tangent2_z_d1 <= in_tangent2_z;
             tangent2_z_d2 <= tangent2_z_d1;
-            before_far_d1 <= le_f24_ftz_unit_y;
-            before_far_d2 <= before_far_d1;
-            last_x_d1 <= last_x;
-            last_x_d2 <= last_x_d1;
+            last_x_lesser_d1 <= last_x_lesser;
             last_y_shifted_d1 <= last_y_greater_fixed_plus_130 >> 8;
             unit_delta_both_d1 <= unit_delta_both;
             unit_delta_chosen_d1 <= unit_delta_chosen[7:0];
@@ -5527,33 +5794,64 @@ module splat_setup (
             b_exponent_plus_alpha_bits_d1 <= b_exponent_plus_alpha_bits;
             mx_sum_d1 <= mx_sum;
             mx_sum_d1_copy2 <= mx_sum_copy2;
+            minus_my_product_d1 <= minus_mul_f24_ftz_unit_copy4_y;
             a_exponent_plus_b_exponent_d1 <= a_exponent_plus_b_exponent;
+            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
             largest_greater_d1 <= largest_greater;
-            largest_chosen_d1 <= largest_chosen;
-            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            largest_sum_below_100_d1 <= largest_sum_below_100;
+            largest_sum_minus_100_d1 <= largest_sum_minus_100;
+            largest_sum_plus_127_d1 <= largest_sum_plus_127;
+            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
+            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
+            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
+            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
+            unit_delta_sign_d1 <= add_f24_ftz_unit_y[23];
             edge_on_lesser_d1 <= edge_on_lesser;
-            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
+            edge_on_in_order_d1 <= edge_on_in_order;
+            t_x_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            t_x_minus_t_y_d2 <= t_x_minus_t_y_d1;
+            t_x_minus_t_y_d3 <= t_x_minus_t_y_d2;
+            root_of_first_sum_sum_d1 <= sqrt_f24_ftz_unit_y;
             center_x_out_d6 <= center_x_out_d5;
             center_x_out_d7 <= center_x_out_d6;
-            center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
-            center_y_out_d1 <= center_y_out;
-            center_y_out_d2 <= center_y_out_d1;
-            center_y_out_d3 <= center_y_out_d2;
-            center_y_out_d4 <= center_y_out_d3;
-            center_y_out_d5 <= center_y_out_d4;
             center_y_out_d6 <= center_y_out_d5;
-            my_bits_d1_copy4 <= {2'd0, my[22:15]};
-            my_bits_d2 <= my_bits_d1_copy4;
-            my_bits_d3 <= my_bits_d2;
-            my_bits_d4 <= my_bits_d3;
-            my_bits_d5 <= my_bits_d4;
+            center_y_out_d7 <= center_y_out_d6;
+            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
             exponent_greater_d1_copy4 <= exponent_greater_copy4;
-            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
-            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
-            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
         end
         if (load_5) begin
             r_d1 <= recip_f24_ftz_unit_y;
+            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
+            half_depth_lesser_d2 <= half_depth_lesser_d1;
+            epsilon_d1 <= add_f24_ftz_unit_y;
+            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
+            exponent_both_d1 <= exponent_both;
+            exponent_chosen_d1 <= exponent_chosen[7:0];
+            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
+            exponent_both_d1_copy2 <= exponent_both_copy2;
+            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
+            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
+            exponent_both_d1_copy3 <= exponent_both_copy3;
+            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
+            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
+            exponent_both_d1_copy4 <= exponent_both_copy4;
+            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
+            delta_both_d1 <= delta_both;
+            delta_chosen_d1 <= delta_chosen[7:0];
+            m_exponent_plus_127_d1 <= m_exponent_plus_127;
+            m_exponent_plus_127_d2 <= m_exponent_plus_127_d1;
+            my_bits_d1 <= my_bits_d1_bits;
+            largest_below_my_sum_d1 <= largest_below_my_sum;
+            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
+            my_bits_is_255_d1 <= my_bits_is_255;
+            my_sum_minus_largest_d1 <= my_sum_minus_largest;
+            my_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
+            my_bits_d1_copy3 <= add_f24_ftz_unit_copy2_y[23];
+            t_x_plus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            t_x_plus_t_y_d2 <= t_x_plus_t_y_d1;
+            t_x_plus_t_y_d3 <= t_x_plus_t_y_d2;
+            first_sum_sum_d1_copy4 <= first_sum_sum;
             shift_either_bits_d1 <= shift_either_copy3[27:17];
             shift_either_bits_d1_copy2 <= shift_either_copy3[27:18];
             shift_either_bits_d1_copy3 <= shift_either_copy3[27:19];
@@ -5565,6 +5863,262 @@ module splat_setup (
             shift_either_bits_is_zero_d1 <= shift_either_bits_is_zero_copy6;
             shift_either_bits_is_zero_d1_copy2 <= shift_either_bits_is_zero_copy7;
             shift_either_sign_is_zero_d1 <= shift_either_sign_is_zero;
+        end
+        if (load_11) begin
+            alpha_d1 <= mul_f24_ftz_unit_y;
+            alpha_d2 <= alpha_d1;
+            beta_d1 <= mul_f24_ftz_unit_copy2_y;
+            beta_d2 <= beta_d1;
+            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            t_x_sum_d1 <= add_f24_ftz_unit_y;
+            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            v_y_d1 <= mul_f24_ftz_unit_copy4_y;
+            beta_bits_d1 <= a_x_bits_d1_bits;
+            beta_bits_d2 <= beta_bits_d1;
+            alpha_bits_d1 <= a_y_bits_d1_bits;
+            alpha_bits_d2 <= alpha_bits_d1;
+            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
+            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
+            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
+            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
+            last_difference_sum_d1_copy3 <= last_difference_sum_copy4;
+            first_difference_greater_d1_copy2 <= first_difference_greater;
+            shift_plus_4_d1 <= shift_plus_4;
+            bx_out_lesser_d1 <= bx_out_lesser[17:0];
+            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
+        end
+        if (load_8) begin
+            q_d1 <= add_f24_ftz_unit_y;
+            q_d2 <= q_d1;
+            unit_delta_product_d1 <= mul_f24_ftz_unit_y;
+            minus_unit_delta_product_d1 <= {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+            last_difference_sum_d1 <= last_difference_sum;
+            last_sum_shifted_d1 <= {{8{last_sum_sum_copy3[26]}}, last_sum_sum_copy3[26:8]};
+            first_sum_greater_d1_copy2 <= first_sum_greater;
+            first_difference_difference_d1 <= first_difference_difference_copy2;
+            shift_chosen_d1_copy2 <= shift_chosen_copy10;
+            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
+            odd_either_or_mx_bits_is_255_d1 <= odd_either_or_mx_bits_is_255;
+            delta_bits_is_255_d1 <= delta_bits_is_255;
+        end
+        if (load_4) begin
+            f_d1 <= recip_f24_ftz_unit_y;
+            center_depth_d1 <= add_f24_ftz_unit_y;
+            center_depth_d2 <= center_depth_d1;
+            middle_depth_d1 <= middle_depth;
+            middle_depth_d2 <= middle_depth_d1;
+            half_depth_d1 <= half_depth;
+            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
+            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
+            m_exponent_plus_27_d1 <= m_exponent_plus_27;
+            largest_d1 <= largest;
+            largest_d2 <= largest_d1;
+            center_y_out_d1 <= {center_y_out_d5[27], center_y_out_d5};
+            shift_difference_d1_copy4 <= shift_difference_copy4;
+            shift_either_d1 <= shift_either_copy2;
+            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
+            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
+            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
+            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
+            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
+            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
+            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
+            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
+            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
+            mx_bits_plus_126_d1 <= mx_bits_plus_126;
+            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
+            my_bits_plus_126_d1 <= my_bits_plus_126;
+            my_out_joined_d1 <= {my_sign_d4, my_out_chosen[7:0], my_bits_d4_copy2};
+            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
+        end
+        if (load_13) begin
+            b_depth_d1 <= mul_f24_ftz_unit_y;
+            b_depth_d2 <= b_depth_d1;
+            b_depth_d3 <= b_depth_d2;
+            abs_b_depth_d1 <= {1'd0, b_depth_d2[22:0]};
+            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
+            first_x_d1 <= first_x;
+            first_x_d2 <= first_x_d1;
+            first_x_d3 <= first_x_d2;
+            first_sum_sum_d1_copy2 <= add_f24_ftz_unit_y;
+            f_times_first_sum_sum_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_difference_sum_d1 <= add_f24_ftz_unit_copy3_y;
+            first_sum_greater_d1 <= max_f24_ftz_unit_y;
+            center_x_fixed_d1 <= to_fixed_f24_ftz_s22q8_unit_y;
+            visible_in_order_d1 <= visible_in_order;
+            last_difference_out_d1 <= last_difference[7:0];
+            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
+            shift_shifted_d1 <= {22'd0, first_x} << 14;
+            exponent_greater_d1 <= exponent_greater;
+            by_out_lesser_d1 <= by_out_lesser[17:0];
+            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
+        end
+        if (load_10) begin
+            spread_middle_d1 <= add_f24_ftz_unit_y;
+            t_x_d1 <= mul_f24_ftz_unit_y;
+            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
+            h_x_d1 <= sqrt_f24_ftz_unit_y;
+            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
+            center_y_d2_copy2 <= center_y_d1_copy2;
+            t_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            h_y_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            minus_t_y_d1 <= minus_mul_f24_ftz_unit_copy3_y;
+            first_sum_both_d8 <= delay_7_from_10_out;
+            first_difference_sum_d1_copy3 <= first_difference_sum_copy3;
+            last_difference_shifted_d1 <= {{8{last_difference_sum_copy3[26]}}, last_difference_sum_copy3[26:8]};
+            first_sum_up_to_last_sum_d1 <= first_sum_up_to_last_sum;
+            last_sum_out_d1 <= last_sum[7:0];
+            placed_d1 <= placed;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            ax_out_lesser_d1 <= ax_out_lesser[17:0];
+            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
+            vanishes_d1 <= vanishes;
+        end
+        if (load_3) begin
+            spread_half_d1 <= mul_f24_ftz_unit_copy2_y;
+            spread_half_d2 <= spread_half_d1;
+            beta_bits_is_255_d1 <= beta_bits_is_255;
+            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
+            alpha_bits_is_255_d1 <= alpha_bits_is_255;
+            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
+            largest_greater_d1_copy3 <= largest_greater_copy3;
+            first_sum_product_d1 <= mul_f24_ftz_unit_copy3_y;
+            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
+            shift_difference_d1_copy2 <= shift_difference_copy2;
+            not_shift_difference_d1 <= not_shift_difference_copy2;
+            shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
+            ax_out_both_d1 <= ax_out_both;
+            bx_out_both_d1 <= bx_out_both;
+            ay_out_both_d1 <= ay_out_both;
+            by_out_both_d1 <= by_out_both;
+            mx_out_both_d1 <= mx_out_both;
+            my_out_both_d1 <= my_out_both;
+            vanishes_in_order_d1 <= vanishes_in_order;
+            vanishes_difference_d1 <= vanishes_difference;
+        end
+        if (load_1) begin
+            before_far_d1 <= le_f24_ftz_unit_y;
+            before_far_d2 <= before_far_d1;
+            center_x_minus_t_x_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
+            last_x_d1 <= last_x;
+            last_x_d2 <= last_x_d1;
+            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
+            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
+            last_y_lesser_d1 <= last_y_lesser;
+            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
+            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
+            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
+            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
+            m_exponent_d1 <= m_exponent;
+            largest_chosen_d1 <= largest_chosen;
+            largest_chosen_d1_copy2 <= largest_chosen_copy2;
+            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
+            root_of_first_difference_sum_d1 <= sqrt_f24_ftz_unit_y;
+            before_far_and_occupied_x_d1 <= before_far_and_occupied_x;
+            exponent_greater_d1_copy5 <= exponent_greater_copy5;
+            not_placed_d1 <= not_placed;
+            edge_on_or_not_placed_d1 <= edge_on_or_not_placed;
+            edge_on_or_not_placed_d2 <= edge_on_or_not_placed_d1;
+        end
+        if (load_12) begin
+            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
+            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
+            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
+            t_y_sum_d1 <= add_f24_ftz_unit_y;
+            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
+            minus_h_y_d1 <= {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+            first_difference_d1 <= first_difference;
+            last_difference_lesser_d1 <= last_difference_lesser;
+            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
+            ay_out_lesser_d1 <= ay_out_lesser[17:0];
+            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_out_d2 <= depth_out_d1;
+            depth_out_d3 <= depth_out_d2;
+            depth_out_d4 <= depth_out_d3;
+        end
+        if (load_14) begin
+            a_x_d1 <= mul_f24_ftz_unit_copy2_y;
+            b_x_d1 <= mul_f24_ftz_unit_copy3_y;
+            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
+            first_y_d1 <= first_y;
+            first_y_d2 <= first_y_d1;
+            first_y_d3 <= first_y_d2;
+            a_x_bits_d1 <= a_x_bits_d1_bits;
+            a_x_bits_d2 <= a_x_bits_d1;
+            b_x_bits_d1 <= b_x_bits_d1_bits;
+            b_x_bits_d2 <= b_x_bits_d1;
+            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
+            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
+            not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
+            a_x_bits_is_255_d1 <= a_x_bits_is_255;
+            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
+            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
+            a_x_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_x_sign_d2 <= a_x_sign_d1;
+            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
+            not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
+            not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
+            b_x_bits_is_255_d1 <= b_x_bits_is_255;
+            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
+            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
+            b_x_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_x_sign_d2 <= b_x_sign_d1;
+            mx_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_sum_sum_d1 <= add_f24_ftz_unit_y;
+            first_sum_sum_d1_copy3 <= add_f24_ftz_unit_copy2_y;
+            last_sum_greater_d1 <= max_f24_ftz_unit_y;
+            visible_d1 <= visible;
+            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
+            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
+            shift_difference_d1 <= shift_difference;
+            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
+            exponent_greater_d1_copy2 <= exponent_greater_copy2;
+            mx_out_lesser_d1 <= mx_out_lesser[17:0];
+            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
+        end
+        if (load_9) begin
+            center_x_d1_copy2 <= add_f24_ftz_unit_y;
+            center_x_d2_copy2 <= center_x_d1_copy2;
+            center_x_d3 <= center_x_d2_copy2;
+            center_x_bits_below_140_d1 <= center_x_bits_below_140;
+            first_sum_d1 <= first_sum;
+            last_sum_lesser_d1 <= last_sum_lesser;
+            first_difference_shifted_d1 <= {{8{first_difference_sum_copy2[26]}}, first_difference_sum_copy2[26:8]};
+            last_difference_sum_d1_copy2 <= last_difference_sum_copy2;
+            center_x_bits_below_140_d1_copy2 <= center_x_bits_below_140_copy2;
+            shift_chosen_d1_copy3 <= shift_chosen_copy13;
+            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
+            vanishes_lesser_d1 <= vanishes_lesser[21:0];
+        end
+        if (load_6) begin
+            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
+            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
+            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
+            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
+            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
+            mx_bits_d1 <= unit_delta_bits_d1_bits;
+            largest_below_mx_sum_d1 <= largest_below_mx_sum;
+            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
+            mx_bits_is_255_d1 <= mx_bits_is_255;
+            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
+            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
+            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
+            last_sum_sum_d1 <= last_sum_sum;
+            first_sum_difference_d1 <= first_sum_difference;
+            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
+            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
+            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
+            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
+            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
+            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
+            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
+            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
             delta_bits_d1 <= {2'd0, delta[22:15]};
             delta_bits_d2 <= delta_bits_d1;
             delta_bits_d3 <= delta_bits_d2;
@@ -5590,162 +6144,45 @@ module splat_setup (
             exponent_joined_bits_d3_copy4 <= exponent_joined_bits_d2_copy4;
             exponent_joined_bits_d4_copy4 <= exponent_joined_bits_d3_copy4;
             exponent_joined_bits_d5_copy4 <= exponent_joined_bits_d4_copy4;
+            my_bits_d1_copy4 <= {2'd0, my[22:15]};
+            my_bits_d2 <= my_bits_d1_copy4;
+            my_bits_d3 <= my_bits_d2;
+            my_bits_d4 <= my_bits_d3;
+            my_sign_d1 <= my[23];
+            my_sign_d2 <= my_sign_d1;
+            my_sign_d3 <= my_sign_d2;
+            my_sign_d4 <= my_sign_d3;
+            my_bits_d1_copy5 <= my[14:0];
+            my_bits_d2_copy2 <= my_bits_d1_copy5;
+            my_bits_d3_copy2 <= my_bits_d2_copy2;
+            my_bits_d4_copy2 <= my_bits_d3_copy2;
+            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_low_out_d2 <= depth_low_out_d1;
         end
-        if (load_11) begin
-            alpha_d1 <= mul_f24_ftz_unit_y;
-            alpha_d2 <= alpha_d1;
-            beta_d1 <= mul_f24_ftz_unit_copy2_y;
-            beta_d2 <= beta_d1;
-            epsilon_d1 <= add_f24_ftz_unit_y;
-            v_x_d1 <= mul_f24_ftz_unit_copy3_y;
-            beta_bits_d1 <= a_y_bits_d1_bits;
-            beta_bits_d2 <= beta_bits_d1;
-            alpha_bits_d1 <= a_x_bits_d1_bits;
-            alpha_bits_d2 <= alpha_bits_d1;
-            not_zero_is_beta_bits_d1 <= not_zero_is_beta_bits;
-            not_zero_is_beta_bits_d2 <= not_zero_is_beta_bits_d1;
-            not_zero_is_alpha_bits_d1 <= not_zero_is_alpha_bits;
-            not_zero_is_alpha_bits_d2 <= not_zero_is_alpha_bits_d1;
-            shift_plus_4_d1 <= shift_plus_4;
-            bx_out_lesser_d1 <= bx_out_lesser[17:0];
-            ay_out_shifted_d1 <= {ay_out_sum[19], ay_out_sum[19:1]};
-            depth_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_out_d2 <= depth_out_d1;
-            depth_out_d3 <= depth_out_d2;
-            depth_out_d4 <= depth_out_d3;
-        end
-        if (load_8) begin
-            q_d1 <= add_f24_ftz_unit_y;
-            q_d2 <= q_d1;
-            unit_delta_product_bits_d1 <= mul_f24_ftz_unit_y[22:15];
-            shift_chosen_d1_copy2 <= shift_chosen_copy10;
-            vanishes_shifted_d1 <= {vanishes_sum[23], vanishes_sum[23:1]};
-        end
-        if (load_4) begin
-            f_d1 <= recip_f24_ftz_unit_y;
-            alpha_times_a_x_d1 <= mul_f24_ftz_unit_copy2_y;
-            a_x_squared_d1 <= mul_f24_ftz_unit_copy3_y;
-            center_y_minus_filter_radius_d1 <= add_f24_ftz_unit_y;
-            center_y_minus_filter_radius_d2 <= center_y_minus_filter_radius_d1;
-            center_y_minus_filter_radius_d3 <= center_y_minus_filter_radius_d2;
-            filter_radius_plus_center_y_d1 <= add_f24_ftz_unit_copy3_y;
-            filter_radius_plus_center_y_d2 <= filter_radius_plus_center_y_d1;
-            filter_radius_plus_center_y_d3 <= filter_radius_plus_center_y_d2;
-            a_x_bits_plus_381_d1 <= a_x_bits_plus_381;
-            exponent_both_d1 <= exponent_both;
-            exponent_chosen_d1 <= exponent_chosen[7:0];
-            a_y_bits_plus_381_d1 <= a_y_bits_plus_381;
-            exponent_both_d1_copy2 <= exponent_both_copy2;
-            exponent_chosen_d1_copy2 <= exponent_chosen_copy3[7:0];
-            b_x_bits_plus_381_d1 <= b_x_bits_plus_381;
-            exponent_both_d1_copy3 <= exponent_both_copy3;
-            exponent_chosen_d1_copy3 <= exponent_chosen_copy5[7:0];
-            b_y_bits_plus_381_d1 <= b_y_bits_plus_381;
-            exponent_both_d1_copy4 <= exponent_both_copy4;
-            exponent_chosen_d1_copy4 <= exponent_chosen_copy7[7:0];
-            delta_both_d1 <= delta_both;
-            delta_chosen_d1 <= delta_chosen[7:0];
-            center_y_out_d1_copy2 <= {center_y_out_d4[27], center_y_out_d4};
-            shift_difference_d1_copy4 <= shift_difference_copy4;
-            not_shift_difference_d1_copy2 <= not_shift_difference_copy4;
-            exponent_joined_bits_plus_126_d1 <= exponent_joined_bits_plus_126;
-            ax_out_joined_d1 <= {exponent_joined_sign_d5, ax_out_chosen[7:0], exponent_joined_bits_d5_copy5};
-            exponent_joined_bits_plus_126_d1_copy2 <= exponent_joined_bits_plus_126_copy2;
-            bx_out_joined_d1 <= {exponent_joined_sign_d5_copy2, bx_out_chosen[7:0], exponent_joined_bits_d5_copy6};
-            exponent_joined_bits_plus_126_d1_copy3 <= exponent_joined_bits_plus_126_copy3;
-            ay_out_joined_d1 <= {exponent_joined_sign_d5_copy3, ay_out_chosen[7:0], exponent_joined_bits_d5_copy7};
-            exponent_joined_bits_plus_126_d1_copy4 <= exponent_joined_bits_plus_126_copy4;
-            by_out_joined_d1 <= {exponent_joined_sign_d5_copy4, by_out_chosen[7:0], exponent_joined_bits_d5_copy8};
-            mx_bits_plus_126_d1 <= mx_bits_plus_126;
-            mx_out_joined_d1 <= {mx_sign_d5, mx_out_chosen[7:0], mx_bits_d5_copy2};
-            my_bits_plus_126_d1 <= my_bits_plus_126;
-            my_out_joined_d1 <= {my_sign_d5, my_out_chosen[7:0], my_bits_d5_copy2};
-            vanishes_joined_d1 <= {delta_sign_d5, vanishes_chosen[7:0], delta_bits_d5_copy2};
-        end
-        if (load_13) begin
-            b_depth_d1 <= mul_f24_ftz_unit_y;
-            b_depth_d2 <= b_depth_d1;
-            b_depth_d3 <= b_depth_d2;
-            a_x_squared_plus_b_x_squared_d1 <= add_f24_ftz_unit_y;
-            tangent1_y_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
-            tangent2_y_times_r_d1 <= mul_f24_ftz_unit_copy3_y;
-            a_y_squared_plus_b_y_squared_d1 <= add_f24_ftz_unit_copy2_y;
-            first_y_shifted_d1 <= first_y_shifted_d1_shifted;
-            first_y_d1 <= first_y;
-            first_y_d2 <= first_y_d1;
-            first_y_d3 <= first_y_d2;
-            shift_difference_d1 <= shift_difference;
-            shift_shifted_d1_copy3 <= {22'd0, first_y} << 14;
-            exponent_greater_d1 <= exponent_greater;
-            by_out_lesser_d1 <= by_out_lesser[17:0];
-            mx_out_shifted_d1 <= {mx_out_sum[19], mx_out_sum[19:1]};
-        end
-        if (load_3) begin
-            center_depth_d1 <= add_f24_ftz_unit_y;
-            center_depth_d2 <= center_depth_d1;
-            abs_b_depth_d1 <= {1'd0, b_depth_d3[22:0]};
-            half_depth_lesser_d1 <= min_f24_ftz_unit_y;
-            middle_depth_d1 <= middle_depth;
-            middle_depth_d2 <= middle_depth_d1;
-            half_depth_d1 <= half_depth;
-            beta_bits_is_255_d1 <= beta_bits_is_255;
-            mx_joined_d1 <= {beta_d2[23], mx_chosen_copy2};
-            alpha_bits_is_255_d1 <= alpha_bits_is_255;
-            mx_joined_d1_copy2 <= {alpha_d2[23], mx_chosen_copy4};
-            m_exponent_plus_27_d1 <= m_exponent_plus_27;
-            largest_d1 <= largest;
-            end_or_visible_d1 <= end_or_visible;
-            end_or_visible_d2 <= end_or_visible_d1;
-            shift_shifted_d1_copy4 <= last_y_plus_1 << 14;
-            shift_either_d1 <= shift_either_copy2;
-            ax_out_both_d1 <= ax_out_both;
-            bx_out_both_d1 <= bx_out_both;
-            ay_out_both_d1 <= ay_out_both;
-            by_out_both_d1 <= by_out_both;
-            mx_out_both_d1 <= mx_out_both;
-            my_out_both_d1 <= my_out_both;
-            vanishes_in_order_d1 <= vanishes_in_order;
-            vanishes_difference_d1 <= vanishes_difference;
-        end
-        if (load_7) begin
-            spread_middle_d1 <= add_f24_ftz_unit_y;
-            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy3_y;
-            my_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            shift_chosen_d1 <= shift_chosen_copy7;
-            odd_either_d1_copy2 <= odd_either_copy3;
-        end
-        if (load_9) begin
-            spread_half_d1 <= mul_f24_ftz_unit_y;
-            shift_chosen_d1_copy3 <= shift_chosen_copy13;
-            ax_out_shifted_d1 <= {ax_out_sum[19], ax_out_sum[19:1]};
-            vanishes_lesser_d1 <= vanishes_lesser[21:0];
-        end
-        if (load_12) begin
-            tangent1_x_times_r_d1 <= mul_f24_ftz_unit_y;
-            tangent2_x_times_r_d1 <= mul_f24_ftz_unit_copy2_y;
-            t_x_sum_d1 <= add_f24_ftz_unit_y;
-            first_x_shifted_d1 <= first_x_shifted_d1_shifted;
-            first_x_d1 <= first_x;
-            first_x_d2 <= first_x_d1;
-            first_x_d3 <= first_x_d2;
-            v_y_d1 <= mul_f24_ftz_unit_copy3_y;
-            t_y_sum_d1 <= add_f24_ftz_unit_copy2_y;
-            shift_shifted_d1 <= {22'd0, first_x} << 14;
-            exponent_chosen_d1_copy5 <= exponent_chosen_copy9;
-            ay_out_lesser_d1 <= ay_out_lesser[17:0];
-            by_out_shifted_d1 <= {by_out_sum[19], by_out_sum[19:1]};
+        if (load_2) begin
+            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy2_y;
+            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
+            last_y_d1 <= last_y;
+            last_y_d2 <= last_y_d1;
+            mx_both_d1 <= mx_both;
+            mx_chosen_d1 <= mx_chosen[7:0];
+            mx_both_d1_copy2 <= mx_both_copy2;
+            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
+            largest_greater_plus_154_d1 <= largest_greater_plus_154;
+            largest_greater_d1_copy2 <= largest_greater_copy2;
+            visible_both_d1 <= visible_both_copy2;
+            visible_both_d2 <= visible_both_d1;
+            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
+            exponent_d1 <= exponent;
         end
         if (load_15) begin
-            b_x_d1 <= mul_f24_ftz_unit_y;
-            last_x_lesser_d1 <= last_x_lesser;
-            a_y_d1 <= mul_f24_ftz_unit_copy2_y;
-            b_y_d1 <= mul_f24_ftz_unit_copy3_y;
+            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
+            a_y_d1 <= mul_f24_ftz_unit_y;
+            b_y_d1 <= mul_f24_ftz_unit_copy2_y;
             a_y_bits_d1 <= a_y_bits_d1_bits;
             a_y_bits_d2 <= a_y_bits_d1;
             a_exponent_d1 <= a_exponent;
-            b_x_bits_d1 <= a_x_bits_d1_bits;
-            b_x_bits_d2 <= b_x_bits_d1;
-            b_y_bits_d1 <= b_y_bits_d1_bits;
+            b_y_bits_d1 <= a_x_bits_d1_bits;
             b_y_bits_d2 <= b_y_bits_d1;
             b_exponent_d1 <= b_exponent;
             a_y_bits_plus_127_d1 <= a_y_bits_plus_127;
@@ -5753,225 +6190,127 @@ module splat_setup (
             not_a_y_bits_is_zero_d2 <= not_a_y_bits_is_zero_d1;
             a_y_bits_is_255_d1 <= a_y_bits_is_255;
             a_y_bits_is_255_d2 <= a_y_bits_is_255_d1;
-            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
+            a_y_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
             a_y_bits_d2_copy2 <= a_y_bits_d1_copy2;
-            a_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
+            a_y_sign_d1 <= mul_f24_ftz_unit_y[23];
             a_y_sign_d2 <= a_y_sign_d1;
-            b_x_bits_plus_127_d1 <= b_x_bits_plus_127;
-            not_b_x_bits_is_zero_d1 <= not_b_x_bits_is_zero;
-            not_b_x_bits_is_zero_d2 <= not_b_x_bits_is_zero_d1;
-            b_x_bits_is_255_d1 <= b_x_bits_is_255;
-            b_x_bits_is_255_d2 <= b_x_bits_is_255_d1;
-            b_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            b_x_bits_d2_copy2 <= b_x_bits_d1_copy2;
-            b_x_sign_d1 <= mul_f24_ftz_unit_y[23];
-            b_x_sign_d2 <= b_x_sign_d1;
             b_y_bits_plus_127_d1 <= b_y_bits_plus_127;
             not_b_y_bits_is_zero_d1 <= not_b_y_bits_is_zero;
             not_b_y_bits_is_zero_d2 <= not_b_y_bits_is_zero_d1;
             b_y_bits_is_255_d1 <= b_y_bits_is_255;
             b_y_bits_is_255_d2 <= b_y_bits_is_255_d1;
-            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy3_y[14:0];
+            b_y_bits_d1_copy2 <= mul_f24_ftz_unit_copy2_y[14:0];
             b_y_bits_d2_copy2 <= b_y_bits_d1_copy2;
-            b_y_sign_d1 <= mul_f24_ftz_unit_copy3_y[23];
+            b_y_sign_d1 <= mul_f24_ftz_unit_copy2_y[23];
             b_y_sign_d2 <= b_y_sign_d1;
-            unit_delta_bits_d1 <= unit_delta_bits_d1_bits;
-            largest_sum_below_100_d1 <= largest_sum_below_100;
-            largest_sum_minus_100_d1 <= largest_sum_minus_100;
-            largest_sum_plus_127_d1 <= largest_sum_plus_127;
-            unit_delta_bits_plus_delta_sum_d1 <= unit_delta_bits_plus_delta_sum;
-            not_zero_is_unit_delta_bits_d1 <= not_zero_is_unit_delta_bits;
-            unit_delta_bits_is_255_d1 <= unit_delta_bits_is_255;
-            unit_delta_bits_d1_copy2 <= add_f24_ftz_unit_copy2_y[14:0];
-            unit_delta_sign_d1 <= add_f24_ftz_unit_copy2_y[23];
-            m_exponent_plus_127_d1 <= m_exponent_plus_127;
-            my_bits_d1 <= my_bits_d1_bits;
-            largest_below_my_sum_d1 <= largest_below_my_sum;
-            not_zero_is_my_bits_d1 <= not_zero_is_my_bits;
-            my_bits_is_255_d1 <= my_bits_is_255;
-            my_sum_minus_largest_d1 <= my_sum_minus_largest;
-            my_bits_d1_copy2 <= add_f24_ftz_unit_copy3_y[14:0];
-            my_bits_d1_copy3 <= add_f24_ftz_unit_copy3_y[23];
-            unit_delta_bits_is_zero_d1 <= unit_delta_bits_is_zero;
-            edge_on_in_order_d1 <= edge_on_in_order;
-            center_x_out_lesser_d1 <= center_x_out_lesser[27:0];
-            center_y_out_shifted_d1 <= {center_y_out_sum[29], center_y_out_sum[29:1]};
-            shift_chosen_bits_d1_copy2 <= shift_chosen_copy3[27:0];
+            my_product_d1 <= mul_f24_ftz_unit_copy4_y;
+            first_difference_greater_d1 <= max_f24_ftz_unit_y;
+            center_y_out_lesser_d1 <= center_y_out_lesser[27:0];
+            shift_chosen_bits_d1 <= shift_chosen[27:0];
+            shift_difference_d1_copy3 <= shift_difference_copy3;
+            exponent_greater_d1_copy3 <= exponent_greater_copy3;
+            my_out_lesser_d1 <= my_out_lesser[17:0];
+        end
+        if (load_7) begin
+            t_y_squared_plus_h_y_product_d1 <= add_f24_ftz_unit_copy2_y;
+            first_difference_sum_d1_copy2 <= first_difference_sum;
+            first_sum_shifted_d1 <= {{8{first_sum_sum_copy3[26]}}, first_sum_sum_copy3[26:8]};
+            last_sum_sum_d1_copy2 <= last_sum_sum_copy2;
+            shift_chosen_d1 <= shift_chosen_copy7;
             mx_bits_d1_copy4 <= {2'd0, mx[22:15]};
             mx_bits_d2 <= mx_bits_d1_copy4;
             mx_bits_d3 <= mx_bits_d2;
             mx_bits_d4 <= mx_bits_d3;
             mx_bits_d5 <= mx_bits_d4;
-            exponent_greater_d1_copy3 <= exponent_greater_copy3;
-            my_out_lesser_d1 <= my_out_lesser[17:0];
-            depth_low_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            depth_low_out_d2 <= depth_low_out_d1;
-        end
-        if (load_10) begin
-            center_x_d1_copy2 <= add_f24_ftz_unit_y;
-            center_x_d2_copy2 <= center_x_d1_copy2;
-            minus_h_x_d1 <= minus_sqrt_f24_ftz_unit_y;
-            center_y_d1_copy2 <= add_f24_ftz_unit_copy2_y;
-            center_y_d2_copy2 <= center_y_d1_copy2;
-            placed_d1 <= placed;
-            placed_d2 <= placed_d1;
-            shift_d1 <= shift;
-            shift_d2 <= shift_d1;
-            ax_out_lesser_d1 <= ax_out_lesser[17:0];
-            bx_out_shifted_d1 <= {bx_out_sum[19], bx_out_sum[19:1]};
-            vanishes_d1 <= vanishes;
-        end
-        if (load_14) begin
-            h_x_product_d1 <= mul_f24_ftz_unit_copy2_y;
-            last_x_shifted_d1 <= last_x_greater_fixed_plus_130 >> 8;
-            h_y_product_d1 <= mul_f24_ftz_unit_copy3_y;
-            a_x_bits_d1 <= a_x_bits_d1_bits;
-            a_x_bits_d2 <= a_x_bits_d1;
-            a_x_bits_plus_127_d1 <= a_x_bits_plus_127;
-            not_a_x_bits_is_zero_d1 <= not_a_x_bits_is_zero;
-            not_a_x_bits_is_zero_d2 <= not_a_x_bits_is_zero_d1;
-            a_x_bits_is_255_d1 <= a_x_bits_is_255;
-            a_x_bits_is_255_d2 <= a_x_bits_is_255_d1;
-            a_x_bits_d1_copy2 <= mul_f24_ftz_unit_y[14:0];
-            a_x_bits_d2_copy2 <= a_x_bits_d1_copy2;
-            a_x_sign_d1 <= mul_f24_ftz_unit_y[23];
-            a_x_sign_d2 <= a_x_sign_d1;
-            mx_bits_d1 <= mx_bits_d1_bits;
-            largest_below_mx_sum_d1 <= largest_below_mx_sum;
-            not_zero_is_mx_bits_d1 <= not_zero_is_mx_bits;
-            mx_bits_is_255_d1 <= mx_bits_is_255;
-            mx_sum_minus_largest_d1 <= mx_sum_minus_largest;
-            mx_bits_d1_copy2 <= add_f24_ftz_unit_y[14:0];
-            mx_bits_d1_copy3 <= add_f24_ftz_unit_y[23];
-            center_x_out_shifted_d1 <= {center_x_out_sum[29], center_x_out_sum[29:1]};
-            shift_chosen_bits_d1 <= shift_chosen[27:0];
-            shift_difference_d1_copy3 <= shift_difference_copy3;
-            exponent_greater_d1_copy2 <= exponent_greater_copy2;
-            mx_out_lesser_d1 <= mx_out_lesser[17:0];
-            my_out_shifted_d1 <= {my_out_sum[19], my_out_sum[19:1]};
-        end
-        if (load_1) begin
-            center_x_minus_t_x_d1 <= add_f24_ftz_unit_y;
-            center_x_minus_t_x_d2 <= center_x_minus_t_x_d1;
-            center_y_minus_t_y_d1 <= add_f24_ftz_unit_copy3_y;
-            center_y_minus_t_y_d2 <= center_y_minus_t_y_d1;
-            last_y_lesser_d1 <= last_y_lesser;
-            unit_delta_joined_d1 <= {a_x_sign_d1, unit_delta_chosen_copy2};
-            unit_delta_joined_d2 <= unit_delta_joined_d1;
-            unit_delta_joined_d1_copy2 <= {a_y_sign_d1, unit_delta_chosen_copy4};
-            unit_delta_joined_d1_copy3 <= {b_x_sign_d1, unit_delta_chosen_copy6};
-            unit_delta_joined_d1_copy4 <= {b_y_sign_d1, unit_delta_chosen_copy8};
-            m_exponent_d1 <= m_exponent;
-            largest_greater_plus_154_d1 <= largest_greater_plus_154;
-            largest_greater_d1_copy2 <= largest_greater_copy2;
-            edge_on_lesser_below_32_d1 <= edge_on_lesser_below_32;
-            shift_shifted_d1_copy2 <= last_x_plus_1 << 14;
-            exponent_greater_d1_copy5 <= exponent_greater_copy5;
-            odd_either_d1_copy3 <= odd_either_copy4;
-            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
-        if (load_2) begin
-            center_x_minus_filter_radius_d1 <= add_f24_ftz_unit_copy2_y;
-            center_x_minus_filter_radius_d2 <= center_x_minus_filter_radius_d1;
-            center_x_minus_filter_radius_d3 <= center_x_minus_filter_radius_d2;
-            filter_radius_plus_center_x_d1 <= add_f24_ftz_unit_copy3_y;
-            filter_radius_plus_center_x_d2 <= filter_radius_plus_center_x_d1;
-            filter_radius_plus_center_x_d3 <= filter_radius_plus_center_x_d2;
-            last_y_d1 <= last_y;
-            last_y_d2 <= last_y_d1;
-            mx_both_d1 <= mx_both;
-            mx_chosen_d1 <= mx_chosen[7:0];
-            mx_both_d1_copy2 <= mx_both_copy2;
-            mx_chosen_d1_copy2 <= mx_chosen_copy3[7:0];
-            largest_greater_d1_copy3 <= largest_greater_copy3;
-            visible_both_d1 <= visible_both;
-            center_x_out_d1 <= {center_x_out_d5[27], center_x_out_d5};
-            shift_difference_d1_copy2 <= shift_difference_copy2;
-            not_shift_difference_d1 <= not_shift_difference_copy2;
-            exponent_d1 <= exponent;
-        end
-        if (load_6) begin
-            not_zero_is_shift_either_bits_d1 <= not_zero_is_shift_either_bits;
-            not_shift_either_bits_is_zero_d1 <= not_shift_either_bits_is_zero;
-            not_zero_is_shift_either_bits_d1_copy2 <= not_zero_is_shift_either_bits_copy2;
-            not_shift_either_bits_is_zero_d1_copy2 <= not_shift_either_bits_is_zero_copy2;
-            not_shift_either_bits_is_zero_d1_copy3 <= not_shift_either_bits_is_zero_copy3;
-            not_shift_either_bits_is_zero_d1_copy4 <= not_shift_either_bits_is_zero_copy4;
-            not_shift_either_bits_is_zero_d1_copy5 <= not_shift_either_bits_is_zero_copy5;
-            not_zero_is_shift_either_bits_d1_copy3 <= not_zero_is_shift_either_bits_copy3;
+            not_zero_is_my_bits_d1_copy2 <= not_zero_is_my_bits_copy2;
+            not_zero_is_my_bits_d2 <= not_zero_is_my_bits_d1_copy2;
+            not_zero_is_my_bits_d3 <= not_zero_is_my_bits_d2;
+            not_zero_is_my_bits_d4 <= not_zero_is_my_bits_d3;
             odd_either_d1 <= odd_either;
             exponent_joined_bits_is_255_d1 <= exponent_joined_bits_is_255_copy3;
-            delta_bits_is_255_d1 <= delta_bits_is_255;
+            exponent_joined_bits_is_255_d1_copy2 <= exponent_joined_bits_is_255_copy4;
+            odd_either_d1_copy2 <= odd_either_copy4;
+            depth_high_out_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            depth_high_out_d2 <= depth_high_out_d1;
         end
         if (queue_in_ready) begin
             recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? recip_f24_ftz_unit_a_choice : in_center_z) : in_center_z;
-            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_3 : mul_f24_ftz_unit_a_choice_6;
-            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_3 : mul_f24_ftz_unit_b_choice_5;
-            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_6;
-            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_5 : mul_f24_ftz_unit_copy2_b_choice_7;
-            mul_f24_ftz_unit_copy3_a <= phase[3] ? mul_f24_ftz_unit_copy3_a_choice_3 : mul_f24_ftz_unit_copy3_a_choice_6;
-            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_4 : mul_f24_ftz_unit_copy3_b_choice_5;
+            mul_f24_ftz_unit_a <= phase[3] ? mul_f24_ftz_unit_a_choice_2 : mul_f24_ftz_unit_a_choice_4;
+            mul_f24_ftz_unit_b <= phase[3] ? mul_f24_ftz_unit_b_choice_4 : mul_f24_ftz_unit_b_choice_6;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? mul_f24_ftz_unit_copy2_a_choice_3 : mul_f24_ftz_unit_copy2_a_choice_5;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? mul_f24_ftz_unit_copy2_b_choice_3 : mul_f24_ftz_unit_copy2_b_choice_6;
+            mul_f24_ftz_unit_copy3_a <= phase[3] ? mul_f24_ftz_unit_copy3_a_choice_3 : phase[2] ? mul_f24_ftz_unit_copy3_a_choice_4 : b_x_d1;
+            mul_f24_ftz_unit_copy3_b <= phase[3] ? mul_f24_ftz_unit_copy3_b_choice_3 : phase[2] ? mul_f24_ftz_unit_copy3_b_choice_4 : b_y_d1;
+            mul_f24_ftz_unit_copy4_a <= phase[3] ? mul_f24_ftz_unit_copy4_a_choice_4 : mul_f24_ftz_unit_copy4_a_choice_6;
+            mul_f24_ftz_unit_copy4_b <= phase[3] ? mul_f24_ftz_unit_copy4_b_choice_2 : mul_f24_ftz_unit_copy4_b_choice_5;
             add_f24_ftz_unit_a <= phase[3] ? add_f24_ftz_unit_a_choice_3 : add_f24_ftz_unit_a_choice_6;
-            add_f24_ftz_unit_b <= phase[3] ? add_f24_ftz_unit_b_choice_4 : add_f24_ftz_unit_b_choice_7;
-            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_2 : add_f24_ftz_unit_copy2_a_choice_5;
-            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_2 : add_f24_ftz_unit_copy2_b_choice_5;
-            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice_3 : phase[2] ? middle_depth_d2 : add_f24_ftz_unit_copy3_a_choice_4;
-            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_3 : phase[2] ? epsilon_d1 : add_f24_ftz_unit_copy3_b_choice_4;
-            sqrt_f24_ftz_unit_a <= phase[3] ? (phase[2] ? q_d2 : phase[1] ? q_d2 : sqrt_f24_ftz_unit_a_choice) : add_f24_ftz_unit_copy2_y;
-            le_f24_ftz_unit_a <= phase[3] ? le_f24_ftz_unit_a_choice : 24'd0;
-            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : min_f24_ftz_unit_a_choice_2;
-            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : min_f24_ftz_unit_b_choice_2;
-            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : phase[2] ? 24'd0 : max_f24_ftz_unit_a_choice;
-            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : max_f24_ftz_unit_b_choice) : max_f24_ftz_unit_b_choice_5;
+            add_f24_ftz_unit_b <= phase[3] ? add_f24_ftz_unit_b_choice_5 : add_f24_ftz_unit_b_choice_8;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? add_f24_ftz_unit_copy2_a_choice_3 : add_f24_ftz_unit_copy2_a_choice_6;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? add_f24_ftz_unit_copy2_b_choice_3 : add_f24_ftz_unit_copy2_b_choice_6;
+            add_f24_ftz_unit_copy3_a <= phase[3] ? add_f24_ftz_unit_copy3_a_choice_3 : add_f24_ftz_unit_copy3_a_choice_6;
+            add_f24_ftz_unit_copy3_b <= phase[3] ? add_f24_ftz_unit_copy3_b_choice_3 : add_f24_ftz_unit_copy3_b_choice_10;
+            sqrt_f24_ftz_unit_a <= phase[3] ? sqrt_f24_ftz_unit_a_choice_3 : sqrt_f24_ftz_unit_a_choice_4;
+            le_f24_ftz_unit_a <= phase[3] ? (phase[2] ? (phase[1] ? center_depth_d2 : 24'd0) : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[3] ? le_f24_ftz_unit_b_choice : add_f24_ftz_unit_y;
+            min_f24_ftz_unit_a <= phase[3] ? (phase[2] ? (phase[1] ? 24'h470000 : 24'h45fff8) : 24'h45fff8) : min_f24_ftz_unit_a_choice_3;
+            min_f24_ftz_unit_b <= phase[3] ? (phase[2] ? min_f24_ftz_unit_b_choice : max_f24_ftz_unit_y) : min_f24_ftz_unit_b_choice_4;
+            max_f24_ftz_unit_a <= phase[3] ? max_f24_ftz_unit_a_choice_2 : max_f24_ftz_unit_a_choice_4;
+            max_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_b_choice_2 : max_f24_ftz_unit_b_choice_6;
             to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
-            to_fixed_f24_ftz_s29q15_unit_a <= phase[3] ? to_fixed_f24_ftz_s29q15_unit_a_choice_2 : add_f24_ftz_unit_y;
+            to_fixed_f24_ftz_u23q8_unit_a <= min_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s22q8_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
+            to_fixed_f24_ftz_s29q15_unit_a <= to_fixed_f24_ftz_s22q8_unit_a_choice_2;
             to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? to_fixed_f24_ftz_s19q18_unit_a_choice_2 : to_fixed_f24_ftz_s19q18_unit_a_choice_4;
             to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {my[14:0], my[23], not_zero_is_mx_bits_copy2, center_x_out, edge_on_or_visible_unequal};
-        end
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= {center_y_out, center_x_out};
         if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) delay_9_from_0[delay_9_from_0_pointer] <= in_end;
-        if (load_0) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-    end
-    always @(posedge clk) begin
         if (load_0) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+            delay_10_from_0[delay_10_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
         end
         if (load_0) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) delay_5_from_1[delay_5_from_1_pointer] <= not_zero_is_my_bits_copy2;
-        if (load_1) delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= edge_on_or_visible_unequal;
+        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) delay_5_from_2[delay_5_from_2_pointer] <= odd_or_edge_on_or_not_placed;
-        if (load_2) delay_5_from_2_out <= delay_5_from_2[delay_5_from_2_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= {
+        if (load_6) begin
+            delay_5_from_6[delay_5_from_6_pointer] <= {
                 delta[14:0], delta[23], exponent_chosen_copy8[14:0], b_y_sign_d2, exponent_chosen_copy4[14:0],
                 a_y_sign_d2, exponent_chosen_copy6[14:0], b_x_sign_d2, exponent_chosen_copy2[14:0], a_x_sign_d2
             };
         end
-        if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
-    end
-    always @(posedge clk) begin
-        if (load_6) begin
-            delay_5_from_6[delay_5_from_6_pointer] <= {not_zero_is_delta_bits, by_out_inverted, ay_out_inverted, bx_out_inverted, ax_out_inverted};
-        end
         if (load_6) delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_15) delay_5_from_15[delay_5_from_15_pointer] <= {mx[14:0], mx[23]};
-        if (load_15) delay_5_from_15_out <= delay_5_from_15[delay_5_from_15_pointer];
+        if (load_7) begin
+            delay_5_from_7[delay_5_from_7_pointer] <= {
+                not_zero_is_delta_bits, mx[14:0], mx[23], by_out_inverted, ay_out_inverted, bx_out_inverted,
+                ax_out_inverted
+            };
+        end
+        if (load_7) delay_5_from_7_out <= delay_5_from_7[delay_5_from_7_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_8) begin
+            delay_5_from_8[delay_5_from_8_pointer] <= {odd_or_edge_on_or_not_placed, not_zero_is_mx_bits_copy2};
+        end
+        if (load_8) delay_5_from_8_out <= delay_5_from_8[delay_5_from_8_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_10) delay_7_from_10[delay_7_from_10_pointer] <= first_sum_both;
+        if (load_10) delay_7_from_10_out <= delay_7_from_10[delay_7_from_10_pointer];
+    end
+    always @(posedge clk) begin
+        if (load_14) begin
+            delay_7_from_14[delay_7_from_14_pointer] <= {first_difference_difference, first_sum_sum_copy2};
+        end
+        if (load_14) delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
     end
 
     wire _unused = &{
@@ -5980,10 +6319,11 @@ module splat_setup (
         by_out_chosen[9:8], by_out_lesser[19:18], by_out_sum[0], center_x_out_lesser[29:28],
         center_x_out_sum[0], center_y_out_lesser[29:28], center_y_out_sum[0], delta_chosen[10:8],
         exponent_chosen[10:8], exponent_chosen_copy3[10:8], exponent_chosen_copy5[10:8],
-        exponent_chosen_copy7[10:8], last_x_lesser_minus_1[21:7], last_y_lesser_minus_1[21:7],
-        mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8], mx_out_chosen[9:8],
-        mx_out_lesser[19:18], mx_out_sum[0], my_chosen[10:8], my_out_chosen[9:8], my_out_lesser[19:18],
-        my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28], shift_chosen_copy3[28],
+        exponent_chosen_copy7[10:8], first_difference_sum_copy2[7:0], first_sum_sum_copy3[7:0],
+        last_difference_sum_copy3[7:0], last_sum_sum_copy3[7:0], last_x_lesser_minus_1[21:7],
+        last_y_lesser_minus_1[21:7], mx_chosen[10:8], mx_chosen_copy3[10:8], mx_chosen_copy5[10:8],
+        mx_out_chosen[9:8], mx_out_lesser[19:18], mx_out_sum[0], my_chosen[10:8], my_out_chosen[9:8],
+        my_out_lesser[19:18], my_out_sum[0], shift_chosen[28], shift_chosen_copy2[28], shift_chosen_copy3[28],
         shift_chosen_copy4[28], shift_either_copy3[16:0], unit_delta_chosen[10:8],
         unit_delta_chosen_copy3[10:8], unit_delta_chosen_copy5[10:8], unit_delta_chosen_copy7[10:8],
         vanishes_chosen[9:8], vanishes_lesser[23:22], vanishes_sum[0]
@@ -6227,6 +6567,91 @@ module float_to_fixed_s3_f24ftz_w29_f15_signed (
             saturates_s1 <= (~vanishes_s1_either & (11'd29 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
             saturates_s2 <= saturates_s1;
             y <= (vanishes_s2 | nan_s2) ? 29'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 22
+// fraction = 8
+// integer = signed
+module float_to_fixed_s3_f24ftz_w22_f8_signed (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [21:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [21:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd22 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+    wire [21:0] y_choice = saturates_s2 ? (sign_s2 ? 22'h200000 : 22'h1fffff) : sign_s2 ? (~magnitude_s2 + 22'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({6'd0, significand_s1} << 6) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd22 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 22'd0 : y_choice;
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1_difference[10:5]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 23
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_s3_f24ftz_w23_f8_unsigned (
+    input  wire clk, input wire enable, input wire [23:0] a,
+    output reg  [22:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [22:0] magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] saturates_s1_sum = {3'd0, a_field} + 11'h78a;
+    wire [10:0] distance_s1_difference = 11'd23 - saturates_s1_sum;
+    wire [14:0] a_fraction = a[14:0];
+    wire vanishes_s1_either = saturates_s1_sum[10] | (saturates_s1_sum == 11'd0);
+    wire vanishes_s1_both = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= distance_s1_difference[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({7'd0, significand_s1} << 7) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (vanishes_s1_either & ~vanishes_s1_both) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~vanishes_s1_either & (11'd24 <= saturates_s1_sum) & |a_field) | vanishes_s1_both;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 23'd0 : saturates_s2 ? 23'h7fffff : magnitude_s2;
         end
     end
 
@@ -6924,14 +7349,14 @@ module float_recip_s20_f24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 339
-module stream_skid_w339 (
+// width = 371
+module stream_skid_w371 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [338:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [338:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [370:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [370:0] out_data
 );
     reg second_valid;
-    reg [338:0] head, second;
+    reg [370:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
