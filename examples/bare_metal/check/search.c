@@ -1,7 +1,7 @@
 /* Neighbor search through the driver, compared with a search through all points that shares nothing with it. */
 #include "search.h"
 
-#include "check.h"
+#include "nearest.h"
 
 #define POINTS_BASE 0x100000u
 #define TREE_BASE 0x10000u
@@ -14,49 +14,6 @@ static struct search_wanted wanted[QUERIES];
 static struct search_neighbor neighbors[QUERIES * SEARCH_NEIGHBORS];
 static uint32_t counts[QUERIES];
 
-/* A real number rounded to the geometry format: as a number, with nothing that the driver uses. */
-static double rounded(double real)
-{
-    int exponent;
-    const int bits = SEARCH_GEOMETRY_MANTISSA_BITS + 1;
-    const double mantissa = frexp(real, &exponent);
-    if (real == 0 || !isfinite(real))
-        return real;
-    return ldexp(rint(ldexp(mantissa, bits)), exponent - bits);
-}
-
-/* What the bits of a result or a query say. */
-static double value_of(uint32_t bits)
-{
-    const uint32_t bias = (1u << (SEARCH_GEOMETRY_EXPONENT_BITS - 1)) - 1;
-    const uint32_t exponent = bits >> SEARCH_GEOMETRY_MANTISSA_BITS & (2 * bias + 1);
-    const uint32_t mantissa = bits & ((1u << SEARCH_GEOMETRY_MANTISSA_BITS) - 1);
-    const double sign = bits >> (SEARCH_GEOMETRY_MANTISSA_BITS + SEARCH_GEOMETRY_EXPONENT_BITS) ? -1 : 1;
-    if (exponent == 2 * bias + 1)
-        return mantissa ? NAN : sign * INFINITY;
-    if (exponent == 0) /* none of the numbers here is subnormal */
-        return sign * 0;
-    return sign * ldexp(1 + ldexp(mantissa, -(int)SEARCH_GEOMETRY_MANTISSA_BITS), (int)exponent - (int)bias);
-}
-
-/* As docs/interfaces.md has it. Rounding twice is rounding once: a double has more than twice as many bits. */
-static double distance2(uint32_t point, const struct search_wanted *query)
-{
-    double sum = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        const double difference = rounded(rounded(points[point][axis]) - value_of(query->point[axis]));
-        const double square = rounded(difference * difference);
-        sum = axis ? rounded(sum + square) : square;
-    }
-    return sum;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Whether a query found what there is: the right distances in order, each of the point it names, no point twice. */
 static bool is_right(uint32_t query)
 {
@@ -64,7 +21,7 @@ static bool is_right(uint32_t query)
     const struct search_neighbor *found = &neighbors[(size_t)query * SEARCH_NEIGHBORS];
     uint32_t near = 0;
     for (uint32_t point = 0; point < count; point++) {
-        const double distance = distance2(point, &wanted[query]);
+        const double distance = distance2(points[point], wanted[query].point);
         if (distance < value_of(wanted[query].radius2))
             distances[near++] = distance;
     }
@@ -74,7 +31,7 @@ static bool is_right(uint32_t query)
     for (uint32_t rank = 0; rank < counts[query]; rank++) {
         const uint32_t point = found[rank].index < PLACES_MAX ? places[found[rank].index] : UINT32_MAX;
         if (point >= count || value_of(found[rank].distance2) != distances[rank] ||
-            distance2(point, &wanted[query]) != distances[rank])
+            distance2(points[point], wanted[query].point) != distances[rank])
             return false;
         for (uint32_t before = 0; before < rank; before++)
             if (found[before].index == found[rank].index)
@@ -104,23 +61,23 @@ static void ask(void)
 {
     for (uint32_t i = 0; i < QUERIES; i++) {
         for (int axis = 0; axis < 3; axis++)
-            wanted[i].point[axis] = search_number(i % 5 ? random_float(-10, 10) : points[random_word() % count][axis]);
+            wanted[i].point[axis] = tree_number(i % 5 ? random_float(-10, 10) : points[random_word() % count][axis]);
         wanted[i].k = i % 3 ? 1 + random_word() % SEARCH_NEIGHBORS : SEARCH_NEIGHBORS;
-        wanted[i].radius2 = i % 4 ? SEARCH_GEOMETRY_INFINITY : search_number(random_float(0, 30));
+        wanted[i].radius2 = i % 4 ? SEARCH_GEOMETRY_INFINITY : tree_number(random_float(0, 30));
     }
     /* Nothing is nearer than no distance at all, nor than a NaN. */
     wanted[1].radius2 = 0;
     wanted[2].point[1] = SEARCH_GEOMETRY_NAN;
 }
 
-static void build(const struct search *search, uint32_t leaf_points)
+static void build(const struct tree *search, uint32_t leaf_points)
 {
-    CHECK(search_places(count, leaf_points) <= PLACES_MAX, "no room");
-    CHECK_STATUS(search_build(search, (const float(*)[3])points, count, leaf_points, order, places), CORE_OK);
+    CHECK(tree_places(count, leaf_points) <= PLACES_MAX, "no room");
+    CHECK_STATUS(tree_build(search, (const float(*)[3])points, count, leaf_points, order, places), CORE_OK);
 }
 
 /* A tree over points, and queries that must all be right. */
-static void check_search(const struct search *search, uint32_t points_wanted, float step, uint32_t leaf_points)
+static void check_search(const struct tree *search, uint32_t points_wanted, float step, uint32_t leaf_points)
 {
     uint32_t found = 0, empty = 0;
     scatter(points_wanted, step);
@@ -138,7 +95,7 @@ static void check_search(const struct search *search, uint32_t points_wanted, fl
 }
 
 /* Whatever a tree holds that nobody has written, its run comes to an end. */
-static void check_unwritten(const struct search *search)
+static void check_unwritten(const struct tree *search)
 {
     enum core_status status;
     count = 1;
@@ -149,7 +106,7 @@ static void check_unwritten(const struct search *search)
 }
 
 /* Refused accesses change nothing and are counted. */
-static void check_refusals(const struct search *search)
+static void check_refusals(const struct tree *search)
 {
     const struct core *core = &search->core;
     struct core_errors expected = {0, 0, 0, 0, 0};
@@ -173,16 +130,16 @@ static void check_refusals(const struct search *search)
     CHECK(core_read(core, SEARCH_STATUS) & SEARCH_STATUS_ERROR, "no error told");
     CHECK_STATUS(search_run(search, wanted, QUERIES, neighbors, counts), CORE_ERRORS);
     CHECK(wrong_queries() == 0, "what was refused has changed the tree");
-    CHECK_STATUS(search_changed(search), CORE_OK);
+    CHECK_STATUS(tree_changed(search), CORE_OK);
     check_errors(core, expected);
     CHECK_STATUS(core_clear_errors(core), CORE_OK);
     check_errors(core, (struct core_errors){0, 0, 0, 0, 0});
 }
 
 /* A run that misses queries is given up; while it waits, tree and settings are locked. The next run is as ever. */
-static void check_abort(const struct search *search)
+static void check_abort(const struct tree *search)
 {
-    struct search lossy = *search;
+    struct tree lossy = *search;
     const struct platform link = losing(search->core.platform, QUERIES / 2);
     lossy.core.platform = &link;
     lossy.core.patience = IMPATIENCE;
@@ -195,7 +152,7 @@ static void check_abort(const struct search *search)
     CHECK_STATUS(core_write(&search->core, SEARCH_POINTS_BASE, 0), CORE_REFUSED);
     CHECK_STATUS(core_start(&search->core), CORE_REFUSED);
 #if !SEARCH_TREE_IN_MEMORY
-    CHECK_STATUS(search_write_internal_leaf(search, 1), CORE_REFUSED);
+    CHECK_STATUS(tree_write_internal_leaf(search, 1), CORE_REFUSED);
 #endif
     check_errors(&search->core, (struct core_errors){0, SEARCH_TREE_IN_MEMORY ? 2 : 3, 0, 0, 0});
     uint8_t packet[SEARCH_RESULT_BYTES];
@@ -206,26 +163,26 @@ static void check_abort(const struct search *search)
 }
 
 /* The comparison finds what is wrong: a word of the tree, a point that has moved, a wrong base. */
-static void check_faults(const struct search *search)
+static void check_faults(const struct tree *search)
 {
-    const uint32_t moved[1][3] = {{search_number(99), search_number(99), search_number(99)}};
+    const uint32_t moved[1][3] = {{tree_number(99), tree_number(99), tree_number(99)}};
     const uint32_t nearest = neighbors[0].index / SEARCH_LANES;
 
-    CHECK_STATUS(search_write_node(search, 1, search_number(-9), 0), CORE_OK);
+    CHECK_STATUS(tree_write_node(search, 1, tree_number(-9), 0), CORE_OK);
     CHECK_STATUS(search_run(search, wanted, QUERIES, neighbors, counts), CORE_OK);
     CHECK(wrong_queries() > 0, "a wrong plane is not seen");
     build(search, SEARCH_BUCKET);
     CHECK_STATUS(search_run(search, wanted, QUERIES, neighbors, counts), CORE_OK);
     CHECK(wrong_queries() == 0, "the tree is right again");
 
-    search_write_points(search, nearest, moved, 1);
-    CHECK_STATUS(search_changed(search), CORE_OK);
+    tree_write_points(search, nearest, moved, 1);
+    CHECK_STATUS(tree_changed(search), CORE_OK);
     CHECK_STATUS(search_run(search, wanted, QUERIES, neighbors, counts), CORE_OK);
     CHECK(!is_right(0), "a wrong point is not seen");
 
     build(search, SEARCH_BUCKET);
     CHECK_STATUS(core_write(&search->core, SEARCH_POINTS_BASE, POINTS_BASE + 4096), CORE_OK);
-    CHECK_STATUS(search_changed(search), CORE_OK);
+    CHECK_STATUS(tree_changed(search), CORE_OK);
     CHECK_STATUS(search_run(search, wanted, QUERIES, neighbors, counts), CORE_OK);
     CHECK(wrong_queries() > 0, "a wrong base is not seen");
 }
@@ -234,13 +191,13 @@ int main(int arguments, char **argument)
 {
     const uint32_t seed = arguments > 1 ? (uint32_t)strtoul(argument[1], NULL, 0) : 1;
     struct platform platform = board_open(seed);
-    struct search search;
+    struct tree search;
     uint32_t many = SEARCH_BUCKET << SEARCH_TREE_DEPTH;
     uint64_t cycles;
 
     random_state = seed;
     many = many > 3000 ? 3000 : many;
-    CHECK_STATUS(search_open(&search, &platform, PATIENCE, POINTS_BASE, TREE_BASE), CORE_OK);
+    CHECK_STATUS(tree_open(&search, &platform, PATIENCE, POINTS_BASE, TREE_BASE), CORE_OK);
     check_unwritten(&search);
     check_search(&search, many, 0, SEARCH_BUCKET);
     check_search(&search, many / 2 + 3, 2.5f, SEARCH_BUCKET);

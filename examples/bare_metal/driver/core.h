@@ -1,12 +1,17 @@
-/* What the drivers of both cores have in common: registers, runs, packets. Each includes its own registers.h. */
+/* What the drivers of all cores have in common: registers, runs, packets. Each includes its own registers.h. */
 #ifndef POINTCORE_CORE_H
 #define POINTCORE_CORE_H
 
 #include "platform.h"
 #include "registers.h"
 
-#ifdef POINTCORE_SEARCH_REGISTERS_H
+/* A constant of registers.h, and a record. */
+#if defined POINTCORE_SEARCH_REGISTERS_H
 #define CORE_(name) SEARCH_##name
+#define RECORD_(name) search_##name
+#elif defined POINTCORE_POINTS_REGISTERS_H
+#define CORE_(name) POINTS_##name
+#define RECORD_(name) points_##name
 #else
 #define CORE_(name) SPLAT_##name
 #endif

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "core.h"
 #include "memory.hpp"
-#include "registers.h"
 #include "Top.h"
 #include "verilated.h"
 
@@ -23,17 +23,16 @@ constexpr unsigned WORD_BYTES = 8;
 constexpr uint8_t INCREMENTING = 1;
 constexpr uint8_t WINDOW_ID = 5;
 
-#ifdef POINTCORE_SEARCH_REGISTERS_H
-constexpr uint32_t WINDOW_RANGE = std::max(SEARCH_TREE_BYTES, BORDER);
-constexpr unsigned STREAM_BYTES = SEARCH_STREAM_BITS / 8, MEMORY_BYTES = SEARCH_MEMORY_BITS / 8;
+#ifndef POINTCORE_SPLAT_REGISTERS_H
+constexpr uint32_t WINDOW_RANGE = std::max(CORE_(TREE_BYTES), BORDER);
 #define STREAM_IN(signal) top->s_axis_query_##signal
 #define STREAM_OUT(signal) top->m_axis_result_##signal
 #else
 constexpr uint32_t WINDOW_RANGE = 0;
-constexpr unsigned STREAM_BYTES = SPLAT_STREAM_BITS / 8, MEMORY_BYTES = SPLAT_MEMORY_BITS / 8;
 #define STREAM_IN(signal) top->s_axis_splat_##signal
 #define STREAM_OUT(signal) top->m_axis_fragment_##signal
 #endif
+constexpr unsigned STREAM_BYTES = CORE_(STREAM_BITS) / 8, MEMORY_BYTES = CORE_(MEMORY_BITS) / 8;
 
 struct Word {
     uint64_t data;
@@ -217,19 +216,22 @@ class Board {
         reads.step(top->m_axi_arvalid, top->m_axi_araddr, top->m_axi_arlen, top->m_axi_rready);
     }
 
-#ifdef POINTCORE_SEARCH_REGISTERS_H
-#if SEARCH_TREE_IN_MEMORY
+#ifndef POINTCORE_SPLAT_REGISTERS_H
+#if CORE_(TREE_IN_MEMORY)
     void drive_others() {
+        drive_lines();
         tree.drive(top->m_axi_tree_arready, top->m_axi_tree_rvalid, top->m_axi_tree_rdata, top->m_axi_tree_rresp,
                    top->m_axi_tree_rlast);
         top->m_axi_tree_rid = 0;
     }
 
     void step_others() {
+        step_lines();
         tree.step(top->m_axi_tree_arvalid, top->m_axi_tree_araddr, top->m_axi_tree_arlen, top->m_axi_tree_rready);
     }
 #else
     void drive_others() {
+        drive_lines();
         const Burst* burst = window_bursts.offered();
         top->s_axi_awvalid = burst != nullptr;
         top->s_axi_awaddr = burst ? burst->address : random.word() % WINDOW_RANGE;
@@ -250,11 +252,27 @@ class Board {
     }
 
     void step_others() {
+        step_lines();
         window_bursts.step(top->s_axi_awready);
         window_words.step(top->s_axi_wready);
         if (window_write_answers.taken(top->s_axi_bvalid))
             window_answers.push_back(top->s_axi_bresp);
     }
+#endif
+
+#ifdef POINTCORE_POINTS_REGISTERS_H
+    void drive_lines() {
+        lines.drive(top->m_axi_line_arready, top->m_axi_line_rvalid, top->m_axi_line_rdata, top->m_axi_line_rresp,
+                    top->m_axi_line_rlast);
+        top->m_axi_line_rid = 0;
+    }
+
+    void step_lines() {
+        lines.step(top->m_axi_line_arvalid, top->m_axi_line_araddr, top->m_axi_line_arlen, top->m_axi_line_rready);
+    }
+#else
+    void drive_lines() {}
+    void step_lines() {}
 #endif
 #else
     void drive_others() {
@@ -284,7 +302,9 @@ class Board {
     std::deque<std::vector<uint8_t>> received;
 
     ReadPort reads{random, memory, MEMORY_BYTES};
-    // The search core's tree: in memory, or behind the window.
+    // Points as the point processor's program reads them.
+    ReadPort lines{random, memory, MEMORY_BYTES};
+    // The tree of points: in memory, or behind the window.
     ReadPort tree{random, memory, MEMORY_BYTES};
     Offers<Burst> window_bursts{random};
     Offers<Word> window_words{random};

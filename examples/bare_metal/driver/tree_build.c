@@ -1,9 +1,9 @@
 /* A tree by medians over points of the host. */
-#include "search.h"
+#include "tree.h"
 
 /* What is being built. */
 struct build {
-    const struct search *search;
+    const struct tree *tree;
     const float (*points)[3];
     uint32_t leaf_points;
     uint32_t *order;
@@ -13,7 +13,7 @@ struct build {
 
 static uint32_t beats_of(uint32_t points)
 {
-    return points ? (points + SEARCH_LANES - 1) / SEARCH_LANES : 1;
+    return points ? (points + CORE_(LANES) - 1) / CORE_(LANES) : 1;
 }
 
 /* Levels that halving takes until leaves are small enough. */
@@ -27,10 +27,10 @@ static uint32_t levels_of(uint32_t count, uint32_t leaf_points)
     return levels;
 }
 
-uint32_t search_places(uint32_t count, uint32_t leaf_points)
+uint32_t tree_places(uint32_t count, uint32_t leaf_points)
 {
     const uint32_t leaves = (uint32_t)1 << levels_of(count, leaf_points);
-    return leaves * beats_of(leaf_points) * SEARCH_LANES;
+    return leaves * beats_of(leaf_points) * CORE_(LANES);
 }
 
 /* Puts the points in an order in which none before `middle` is greater than that there, and none behind it less. */
@@ -81,25 +81,25 @@ static unsigned longest_axis(const struct build *build, uint32_t first, uint32_t
 
 static enum core_status build_leaf(struct build *build, uint32_t node, uint32_t level, uint32_t first, uint32_t past)
 {
-    const struct search *search = build->search;
+    const struct tree *tree = build->tree;
     const uint32_t begin = build->next_beat;
-    uint32_t points[SEARCH_BUCKET][3];
+    uint32_t points[CORE_(BUCKET)][3];
     enum core_status status = CORE_OK;
 
     for (uint32_t i = first; i < past; i++) {
         for (unsigned axis = 0; axis < 3; axis++)
-            points[i - first][axis] = search_number(build->points[build->order[i]][axis]);
-        build->places[begin * SEARCH_LANES + (i - first)] = build->order[i];
+            points[i - first][axis] = tree_number(build->points[build->order[i]][axis]);
+        build->places[begin * CORE_(LANES) + (i - first)] = build->order[i];
     }
-    build->next_beat += search_write_points(search, begin, (const uint32_t(*)[3])points, past - first);
-    if (level < SEARCH_TREE_DEPTH)
-        status = search_write_internal_leaf(search, node);
+    build->next_beat += tree_write_points(tree, begin, (const uint32_t(*)[3])points, past - first);
+    if (level < CORE_(TREE_DEPTH))
+        status = tree_write_internal_leaf(tree, node);
     if (status == CORE_OK)
-        status = search_write_leaf(search, node << (SEARCH_TREE_DEPTH - level), begin, build->next_beat - begin);
+        status = tree_write_leaf(tree, node << (CORE_(TREE_DEPTH) - level), begin, build->next_beat - begin);
     return status;
 }
 
-/* As deep as the tree, which is SEARCH_TREE_DEPTH levels at most. */
+/* As deep as the tree, which is TREE_DEPTH levels at most. */
 static enum core_status build_node(struct build *build, uint32_t node, uint32_t level, uint32_t first, uint32_t past)
 {
     enum core_status status;
@@ -112,25 +112,25 @@ static enum core_status build_node(struct build *build, uint32_t node, uint32_t 
     middle = first + (past - first) / 2;
     select_middle(build, first, past, middle, axis);
     /* Rounding keeps the order, so what holds of the host's numbers holds of the core's. */
-    status = search_write_node(build->search, node, search_number(build->points[build->order[middle]][axis]), axis);
+    status = tree_write_node(build->tree, node, tree_number(build->points[build->order[middle]][axis]), axis);
     if (status == CORE_OK)
         status = build_node(build, 2 * node, level + 1, first, middle);
     return status == CORE_OK ? build_node(build, 2 * node + 1, level + 1, middle, past) : status;
 }
 
-enum core_status search_build(const struct search *search, const float (*points)[3], uint32_t count,
-                              uint32_t leaf_points, uint32_t *order, uint32_t *places)
+enum core_status tree_build(const struct tree *tree, const float (*points)[3], uint32_t count,
+                           uint32_t leaf_points, uint32_t *order, uint32_t *places)
 {
-    struct build build = {search, points, leaf_points, order, places, 0};
+    struct build build = {tree, points, leaf_points, order, places, 0};
     enum core_status status;
 
-    if (leaf_points == 0 || leaf_points > SEARCH_BUCKET || levels_of(count, leaf_points) > SEARCH_TREE_DEPTH ||
-        search_places(count, leaf_points) / SEARCH_LANES > SEARCH_POINT_BEATS)
+    if (leaf_points == 0 || leaf_points > CORE_(BUCKET) || levels_of(count, leaf_points) > CORE_(TREE_DEPTH) ||
+        tree_places(count, leaf_points) / CORE_(LANES) > CORE_(POINT_BEATS))
         return CORE_WRONG_ARGUMENT;
     for (uint32_t i = 0; i < count; i++)
         order[i] = i;
-    for (uint32_t i = 0; i < search_places(count, leaf_points); i++)
+    for (uint32_t i = 0; i < tree_places(count, leaf_points); i++)
         places[i] = UINT32_MAX;
     status = build_node(&build, 1, 0, 0, count);
-    return status == CORE_OK ? search_changed(search) : status;
+    return status == CORE_OK ? tree_changed(tree) : status;
 }
