@@ -17,13 +17,15 @@ module proof (input clk);
     wire [23:0] in_depth = 0, in_depth_low = 0, in_depth_high = 0;
     wire [ATTRIBUTE_BITS-1:0] in_attribute_0 = 0;
     wire [2:0] in_left = 0, in_right = 0, in_top = 0, in_bottom = in_payload;
+    wire [3:0] in_first_sum = 0, in_last_sum = 0, in_first_difference = 0, in_last_difference = 0;
     wire in_ready, out_valid, out_end;
     wire [31:0] out_center_x;
     wire [2:0] out_bottom;
     wire [1:0] out_tile;
     `UNIT unit (
         .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(), .out_depth_low(),
-        .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_attribute_0(), .*
+        .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_attribute_0(),
+        .out_first_sum(), .out_last_sum(), .out_first_difference(), .out_last_difference(), .*
     );
 
     wire push = in_valid && in_ready;

@@ -28,6 +28,7 @@ module proof (input clk);
     wire [31:0] in_mx = any, in_my = any;
     wire [23:0] in_depth = any, in_depth_low = any, in_depth_high = any;
     wire [2:0] in_left = any, in_right = any, in_top = any, in_bottom = any;
+    wire [3:0] in_first_sum = any, in_last_sum = any, in_first_difference = any, in_last_difference = any;
     wire in_ready, out_valid, out_end, out_slot, read_valid, data_ready, write_valid, pixel_valid, pixel_end, fill_valid, fill_slot;
     wire drain_enable, drain_slot;
     wire [1:0] out_tile, read_tile, write_tile, pixel_tile, slot_ready;
@@ -37,7 +38,8 @@ module proof (input clk);
     wire [51:0] data_depth, write_depth, pixel_depth, fill_depth, drain_depth;
     `UNIT unit (
         .out_center_x(), .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(),
-        .out_depth_low(), .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_bottom(), .*
+        .out_depth_low(), .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_bottom(),
+        .out_first_sum(), .out_last_sum(), .out_first_difference(), .out_last_difference(), .*
     );
     wire [1:0] written_value = {write_weight[0], write_attribute_0[0]};
     wire [1:0] pixel_value = {pixel_weight[0], pixel_attribute_0[0]};
