@@ -1,13 +1,18 @@
 //! The renderer's units that keep and order what must not be lost, with as few levels, tiles and slots as show every case.
 
 use super::Proof;
-use pointcore_contract::splat::Config;
 use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
 use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::{Config, Feature};
 use pointcore_hdl::splat::{accumulator, heap, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
+
+/// Copies as small as they can be: what of them is only passed on is proved of any field.
+fn copies() -> Config {
+    Config { width: EDGE, height: EDGE, continuous: 1, eye_plane: Feature::Off, ..Config::default() }
+}
 
 /// Heaps of so many levels, cycles an operation, and bits of arrival numbers, which wrap soon.
 fn heaps() -> [Proof; 3] {
@@ -27,7 +32,7 @@ fn heaps() -> [Proof; 3] {
 /// A cache of two slots for four tiles, of which it moves the last two pixels, with neighbors of all kinds and with some that never wait.
 fn tile_caches() -> [Proof; 2] {
     const FIRST_PIXEL: u32 = TILE_PIXELS - 2;
-    let config = Config { width: EDGE, height: EDGE, tile_slots: 2, continuous: 1, ..Config::default() };
+    let config = Config { tile_slots: 2, ..copies() };
     let sizes = [("FIRST_PIXEL", FIRST_PIXEL), ("ATTRIBUTE_BITS", config.attribute.width())];
     let cache = |name| Proof::new(name, tile_cache::from_pixel(&config, FIRST_PIXEL), &sizes);
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
@@ -35,7 +40,7 @@ fn tile_caches() -> [Proof; 2] {
 
 /// Copies that wait by four pointers, with and without a sink that begins late.
 fn reorders() -> [Proof; 2] {
-    let config = Config { width: EDGE, height: EDGE, heap_levels: 2, continuous: 1, ..Config::default() };
+    let config = Config { heap_levels: 2, ..copies() };
     let sizes = [("POINTERS", 1 << config.heap_levels), ("ATTRIBUTE_BITS", config.attribute.width())];
     let reorder = |name| Proof::new(name, reorder::module(&config), &sizes);
     [reorder("splat_reorder"), Proof { flags: vec!["STALLED"], ..reorder("splat_reorder_stalled") }]
