@@ -24,6 +24,8 @@ pub const DEPTH_BITS: u32 = 24;
 pub const DEPTH_SUM_BITS: u32 = WEIGHT_SUM_BITS + DEPTH_BITS;
 /// Largest number of attributes a splat carries, continuous and cardinal together (thesis 5.6.2).
 pub const ATTRIBUTES_MAX: u32 = 14;
+/// Entries of the queue between tile cache and rasterizer: how far ahead of the samples tiles are fetched.
+pub const PLACED_QUEUE_DEPTH: u32 = 16;
 /// Entries of the queue that holds the per-copy values of the copies under rasterization.
 pub const COPY_QUEUE_DEPTH: u32 = 64;
 /// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
@@ -53,6 +55,16 @@ impl Feature {
     pub const fn is_on(self) -> bool {
         matches!(self, Self::On)
     }
+}
+
+/// What puts splat copies in the order of their tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Reordering {
+    /// A pipelined heap: tile after tile.
+    Heap,
+    /// A list for each tile: some tiles in turn.
+    Lists,
 }
 
 configuration! {
@@ -103,12 +115,16 @@ configuration! {
         }
         /// What it costs in area and time: no bit of the frame hangs on it.
         implementation: Implementation {
-            /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies (thesis 5.5.2).
+            /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies, lists hold `2^levels` (thesis 5.5.2).
             heap_levels: u32 = 10, range(2, 14), Input;
+            /// What puts splat copies in the order of their tiles: lists, one a tile, or a heap.
+            reorder: Reordering = Reordering::Lists, described("`\"lists\"`, `\"heap\"`"), User;
+            /// Tiles whose lists give a splat copy each in turn, fewer than `tile_slots` in any case: no sample then waits for the one before it.
+            tiles_in_turn: u32 = 4, range(1, 16), User;
             /// Cycles an operation of the heap takes: 2, or 4 for a higher clock.
             heap_interval: u32 = 2, described("2, 4"), User;
             /// Tiles the cache holds.
-            tile_slots: u32 = 4, range(2, 64), Input;
+            tile_slots: u32 = 8, range(2, 64), Input;
             /// Cycles a splat takes in the transform unit (initiation interval).
             transform_interval: u32 = 2, range(1, 16), User;
             /// Cycles a splat takes in the setup unit (initiation interval).
@@ -257,6 +273,27 @@ impl Config {
     #[must_use]
     pub const fn sequence_bits(&self) -> u32 {
         self.heap_levels + ARRIVALS_BEYOND_HEAP_BITS
+    }
+
+    /// Tiles whose lists give a copy each in turn: one slot at least is left to load.
+    #[must_use]
+    pub const fn turns(&self) -> u32 {
+        if self.tiles_in_turn < self.tile_slots { self.tiles_in_turn } else { self.tile_slots - 1 }
+    }
+
+    /// Splat copies the reorder stage's memory holds.
+    #[must_use]
+    pub const fn payloads(&self) -> u32 {
+        1 << self.heap_levels
+    }
+
+    /// Splat copies that wait in the reorder stage at a time.
+    #[must_use]
+    pub const fn copies_held(&self) -> u32 {
+        match self.reorder {
+            Reordering::Heap => self.heap_capacity(),
+            Reordering::Lists => self.payloads(),
+        }
     }
 
     /// Splat copies the heap holds.

@@ -4,18 +4,46 @@
 //! it, and nothing after it enters until it left.
 
 use super::heap::{self, Heap};
+use super::lists::{self, Lists};
 use crate::stream::{Fifo, HalfBuffer};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::records::HeapEntry;
 use pointcore_contract::splat::records::SplatCopy;
 pub use pointcore_contract::splat::units::reorder::{In, Out};
+
+/// What orders the pointers.
+#[derive(Clone, Debug)]
+enum Order {
+    Heap(Heap),
+    Lists(Lists),
+}
+
+impl Order {
+    fn outputs(&self) -> heap::Out {
+        match self {
+            Self::Heap(heap) => heap.outputs(),
+            Self::Lists(lists) => {
+                let lists::Out { in_ready, out, empty } = lists.outputs();
+                heap::Out { in_ready, out, empty }
+            }
+        }
+    }
+
+    fn clock(&mut self, input: Option<HeapEntry>, out_ready: bool) {
+        match self {
+            Self::Heap(heap) => heap.clock(&heap::In { input, out_ready }),
+            Self::Lists(lists) => lists.clock(&lists::In { input, out_ready }),
+        }
+    }
+}
 
 /// The reorder stage.
 #[derive(Clone, Debug)]
 pub struct Reorder {
     input: HalfBuffer<SplatCopy>,
-    heap: Heap,
+    order: Order,
     payloads: Vec<SplatCopy>,
     /// Pointers never used yet count up to the number of payloads.
     fresh: usize,
@@ -36,7 +64,10 @@ impl Reorder {
         let pointers = 1 << config.heap_levels;
         Self {
             input: HalfBuffer::default(),
-            heap: Heap::new(config),
+            order: match config.reorder {
+                Reordering::Heap => Order::Heap(Heap::new(config)),
+                Reordering::Lists => Order::Lists(Lists::new(config)),
+            },
             payloads: vec![SplatCopy::default(); pointers],
             fresh: 0,
             returned: Fifo::new(pointers),
@@ -59,7 +90,7 @@ impl Model for Reorder {
     }
 
     fn clock(&mut self, inputs: &In) {
-        let heap = self.heap.outputs();
+        let order = self.order.outputs();
         let head = self.input.out().filter(|_| !self.draining);
         let ends = head.is_some_and(|copy| copy.end);
         let offer = head.filter(|copy| !copy.end).and_then(|copy| {
@@ -70,14 +101,14 @@ impl Model for Reorder {
         // The output side, as the registers stand before this cycle.
         let has_room = self.caught.in_ready();
         let advances = self.read.is_none() || has_room;
-        let drained = self.draining && heap.empty && self.read.is_none() && has_room;
+        let drained = self.draining && order.empty && self.read.is_none() && has_room;
         let pushed = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
-        let leaving = heap.out.filter(|_| advances);
+        let leaving = order.out.filter(|_| advances);
         if advances {
             self.read = leaving.map(|entry| self.payloads[usize::from(entry.pointer)]);
         }
 
-        let inserted = offer.filter(|_| heap.in_ready);
+        let inserted = offer.filter(|_| order.in_ready);
         let mut takes_returned = false;
         match self.free {
             Some(_) => self.free = self.free.filter(|_| inserted.is_none()),
@@ -95,7 +126,7 @@ impl Model for Reorder {
             self.payloads[usize::from(entry.pointer)] = copy;
         }
         self.draining = ends || (self.draining && !drained);
-        self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });
+        self.order.clock(offer.map(|(entry, _)| entry), advances);
         self.input.step(inputs.input, ends || inserted.is_some());
         let out_has_room = self.out.in_ready();
         self.out.step(self.caught.out().copied(), inputs.out_ready);
@@ -112,7 +143,9 @@ mod tests {
     #[test]
     fn copies_of_a_tile_stay_in_order_and_frames_apart() {
         for_each_seed("reorder", |random| {
-            let mut reorder = Reorder::new(&Config { heap_levels: 3, ..Config::default() });
+            let order = if random.bool() { Reordering::Heap } else { Reordering::Lists };
+            let config = Config { heap_levels: 3, reorder: order, tiles_in_turn: 1, ..Config::default() };
+            let mut reorder = Reorder::new(&config);
             let copy = |number: u32, random: &mut fastrand::Rng| {
                 let mut copy = SplatCopy { end: number % 50 == 49, tile: random.u32(0..6), ..SplatCopy::default() };
                 copy.attributes[0] = number;

@@ -6,6 +6,7 @@ mod scenes;
 use driver::{Bench, LATENCIES, Stalls, decode, decode_attribute, encode, record, uniforms};
 use fastrand::Rng;
 use glam::Vec3;
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::records::{Fragment, Splat as SplatRecord};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, Rendering, Splat};
@@ -63,6 +64,8 @@ fn a_frame_depends_on_its_input_alone() {
         Config { heap_levels: 10, ..config.clone() },
         Config { tile_slots: 2, ..config.clone() },
         Config { tile_slots: 13, ..unhurried },
+        Config { reorder: Reordering::Heap, ..config.clone() },
+        Config { tiles_in_turn: 1, ..config.clone() },
     ];
     let latencies = [
         LATENCIES,

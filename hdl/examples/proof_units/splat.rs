@@ -2,7 +2,7 @@
 
 use super::Proof;
 use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
-use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::config::{Reordering, TILE_PIXELS};
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_hdl::splat::{accumulator, heap, reorder, tile_cache};
 
@@ -32,18 +32,26 @@ fn heaps() -> [Proof; 3] {
 /// A cache of two slots for four tiles, of which it moves the last two pixels, with neighbors of all kinds and with some that never wait.
 fn tile_caches() -> [Proof; 2] {
     const FIRST_PIXEL: u32 = TILE_PIXELS - 2;
+    const AHEAD: u32 = 2;
     let config = Config { tile_slots: 2, ..copies() };
     let sizes = [("FIRST_PIXEL", FIRST_PIXEL), ("ATTRIBUTE_BITS", config.attribute.width())];
-    let cache = |name| Proof::new(name, tile_cache::from_pixel(&config, FIRST_PIXEL), &sizes);
+    let cache = |name| Proof::new(name, tile_cache::sized(&config, FIRST_PIXEL, AHEAD), &sizes);
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
 }
 
 /// Copies that wait by four pointers, with and without a sink that begins late.
-fn reorders() -> [Proof; 2] {
-    let config = Config { heap_levels: 2, ..copies() };
-    let sizes = [("POINTERS", 1 << config.heap_levels), ("ATTRIBUTE_BITS", config.attribute.width())];
-    let reorder = |name| Proof::new(name, reorder::module(&config), &sizes);
-    [reorder("splat_reorder"), Proof { flags: vec!["STALLED"], ..reorder("splat_reorder_stalled") }]
+fn reorders() -> [Proof; 3] {
+    let reorder = |name, reorder, patience| {
+        let config = Config { heap_levels: 2, reorder, tile_slots: 3, ..copies() };
+        let sizes =
+            [("POINTERS", config.payloads()), ("ATTRIBUTE_BITS", config.attribute.width()), ("PATIENCE", patience)];
+        Proof::new(name, reorder::module(&config), &sizes)
+    };
+    [
+        reorder("splat_reorder", Reordering::Heap, 10),
+        Proof { flags: vec!["STALLED"], ..reorder("splat_reorder_stalled", Reordering::Heap, 10) },
+        reorder("splat_reorder_lists", Reordering::Lists, 20),
+    ]
 }
 
 /// Two slots of two pixels, behind a queue of four samples.

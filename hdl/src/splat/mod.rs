@@ -4,6 +4,7 @@
 pub mod accumulator;
 pub mod depth_test;
 pub mod heap;
+pub mod lists;
 pub mod normalizer;
 pub mod rasterizer;
 pub mod reorder;
@@ -25,11 +26,12 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last.
-pub const UNITS: [(&Unit<Config>, Describe); 12] = [
+pub const UNITS: [(&Unit<Config>, Describe); 13] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
     (&units::heap::UNIT, |config| Ok(heap::module(config))),
+    (&units::lists::UNIT, |config| Ok(lists::module(config))),
     (&units::reorder::UNIT, |config| Ok(reorder::module(config))),
     (&units::tile_cache::UNIT, |config| Ok(tile_cache::module(config))),
     (&units::rasterizer::UNIT, |config| Ok(rasterizer::datapath(config, &Options::default())?.module)),

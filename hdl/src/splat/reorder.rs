@@ -1,8 +1,9 @@
-//! Brings splat copies into the order of their tiles by the heap, which sorts pointers to payloads (thesis 5.5.2);
+//! Brings splat copies into the order of their tiles by heap or lists, which sort pointers to payloads (thesis 5.5.2);
 //! golden twin: `pointcore_golden::splat::reorder`.
 
 use pointcore_contract::record;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::records::{ATTRIBUTES, Footprint, HeapEntry, SplatCopy, TileDiagonals, TileRectangle};
 use pointcore_contract::splat::units::heap;
 use pointcore_contract::splat::units::reorder::PORTS;
@@ -47,10 +48,14 @@ pub fn module(config: &Config) -> Module {
     let out = PORTS.out.half(&mut m, config);
     let (caught, shown) =
         Pushed::<SplatCopy>::place(&mut m, config, "caught", half_buffer(&layout::<SplatCopy>(config)));
-    let heap = m.instance("heap", super::heap::module(config));
+    // Both have the same ports.
+    let order = match config.reorder {
+        Reordering::Heap => m.instance("heap", super::heap::module(config)),
+        Reordering::Lists => m.instance("lists", super::lists::module(config)),
+    };
     let queue = fifo(1 << pointer_bits, &layout::<Pointer>(config));
     let (returned, reused) = Pushed::<Pointer>::place(&mut m, config, "returned", queue);
-    let first = heap::PORTS.out.of(&mut m, config, heap);
+    let first = heap::PORTS.out.of(&mut m, config, order);
 
     // A free pointer waits for the next copy: one that was never used, or else one that came back.
     let free_valid = m.reg_reset("free_valid", 1, 0);
@@ -66,7 +71,7 @@ pub fn module(config: &Config) -> Module {
     let open = m.wire("open", head.valid & !draining);
     let SplatCopy { end, footprint, attributes, bounds, diagonals, tile } = head.record;
     let offer = m.wire("offer", (open & !end) & free_valid);
-    let accepts = heap::PORTS.input.offer(&mut m, config, heap, offer, HeapEntry { tile, pointer: *free });
+    let accepts = heap::PORTS.input.offer(&mut m, config, order, offer, HeapEntry { tile, pointer: *free });
     let insert = m.wire("insert", offer & accepts);
     let has_free = !all_used | reused.valid;
     m.next(free_valid, free_valid.mux(!insert, has_free));
@@ -88,7 +93,7 @@ pub fn module(config: &Config) -> Module {
     returned.push(&mut m, config, leaving, Pointer { pointer });
 
     // The end record follows when everything before it has left.
-    let empty = heap::PORTS.empty.word_of(&mut m, heap);
+    let empty = heap::PORTS.empty.word_of(&mut m, order);
     let drained = empty & !stage_valid;
     let close = m.wire("close", draining & (drained & caught.room));
     m.next_if(draining, take_end | close, take_end);

@@ -1,7 +1,7 @@
 //! How long a core may be silent: from its parameters, twice what its slowest work without a transfer takes.
 
 use pointcore::stimuli::trees::RandomTree;
-use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
+use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, PLACED_QUEUE_DEPTH, SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_contract::{search, splat};
 use pointcore_golden::{search as search_model, splat as splat_model};
 
@@ -12,18 +12,19 @@ const STEP_CYCLES: u64 = 8;
 
 /// Cycles in which a renderer may move nothing while every stream is free.
 ///
-/// Copies whose tiles are in the cache ask for nothing: all in the heap, and those of the splats behind it, one for
+/// Copies whose tiles are in the cache ask for nothing: all that wait for their turn, and those of the splats behind it, one for
 /// each slot. Each visits the pixels of its tile, and waits before one for the sample before it. The flush looks at
 /// every tile's code, and at the pixels of those in the cache.
 #[must_use]
 pub fn renderer(config: &splat::Config, latencies: &splat_model::Latencies) -> u64 {
     let pixels = u64::from(TILE_PIXELS);
     let splats = u64::from(latencies.transform + latencies.setup) + STEP_CYCLES;
-    let waiting = u64::from(config.heap_capacity() + COPY_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
+    let waiting = u64::from(config.payloads() + PLACED_QUEUE_DEPTH + COPY_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
     let copies = waiting + splats * u64::from(config.tile_slots);
     let copy = pixels + u64::from(config.accumulate_stages + config.heap_interval) + STEP_CYCLES;
     let pipelines = u64::from(latencies.rasterizer + latencies.weighting + latencies.normalizer) + splats * 16;
-    let flush = (pixels + STEP_CYCLES) << config.tile_bits();
+    // After reset the lists clear what they know of every tile.
+    let flush = (pixels + 2 * STEP_CYCLES) << config.tile_bits();
     SLACK * (pipelines + copies * copy + flush)
 }
 

@@ -138,7 +138,7 @@ mod tests {
         let estimator = Estimator { cores: vec![known], fit: Some(fit) };
         let recorded = estimator.estimate(&Config::default(), &proxy());
         assert_eq!((recorded.lut4, recorded.lut4_origin, recorded.mhz), (Some(5000.0), Origin::Recorded, 87.0));
-        let other = estimator.estimate(&Config { tile_slots: 8, ..Config::default() }, &proxy());
+        let other = estimator.estimate(&Config { tile_slots: 9, ..Config::default() }, &proxy());
         assert_eq!((other.lut4, other.mhz, other.mhz_origin), (Some(210.0), NOMINAL_MHZ, Origin::Nominal));
     }
 

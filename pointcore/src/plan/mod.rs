@@ -173,7 +173,7 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
         of(
             Effect::HeapLevels,
             format!("{} levels", config.heap_levels),
-            format!("{copies} splat copies pass the reorder stage, it holds {}", config.heap_capacity()),
+            format!("{copies} splat copies pass the reorder stage, it holds {}", config.copies_held()),
         ),
         of(
             Effect::TileSlots,

@@ -143,7 +143,7 @@ fn no_more_tiles_are_held_than_there_are() {
     let tiny = plan(&format!("{HEAD}{SPHERE}").replace("width = 64, height = 48", "width = 8, height = 8"));
     assert_eq!(tiny.expect("the scene is good").config.tile_slots, 2);
     let usual = plan(&format!("{HEAD}{SPHERE}")).expect("the scene is good");
-    assert_eq!((usual.config.tile_slots, usual.at(Effect::TileSlots, EffectExtent::Least).config.tile_slots), (4, 2));
+    assert_eq!((usual.config.tile_slots, usual.at(Effect::TileSlots, EffectExtent::Least).config.tile_slots), (8, 2));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 use super::one_of;
 use fastrand::Rng;
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
 use pointcore_contract::{search, splat};
@@ -95,6 +96,8 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         kernel_fraction_bits: random.u32(0..=10),
         division: one_of(random, &[Division::Rounded, Division::Newton]),
         heap_levels: mostly(random, HEAP_LEVELS, 2..=14),
+        reorder: one_of(random, &[Reordering::Heap, Reordering::Lists]),
+        tiles_in_turn: random.u32(1..=8),
         heap_interval: one_of(random, &[2, 4]),
         tile_slots: mostly(random, 2..=6, 2..=64),
         transform_interval: random.u32(1..=16),

@@ -6,6 +6,7 @@ pub mod scene;
 use std::sync::Arc;
 
 use pointcore::splat::mask::end_records;
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Direction, Format, FragmentDepth, Interface, Record, Sampling, Words, fields, read, words};
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -75,6 +76,8 @@ pub fn configs() -> [Config; 3] {
         continuous: 3,
         cardinal: 2,
         heap_levels: 3,
+        reorder: Reordering::Lists,
+        tiles_in_turn: 2,
         tile_slots: 3,
         culling: Feature::On,
         screen_filter: Feature::Off,

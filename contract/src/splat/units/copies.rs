@@ -28,6 +28,18 @@ pub struct Heap {
     empty: Output<bool>,
 }
 
+/// Keeps entries in a list for each tile, and serves some tiles in turn (thesis 5.5.2).
+#[unit(splat_lists, config: Config)]
+pub struct Lists {
+    /// Entries in any order; no pointer comes again before it has left.
+    #[port("in")]
+    input: In<HeapEntry>,
+    /// Entries of a tile in order of arrival, those of some tiles in turn.
+    out: Out<HeapEntry>,
+    /// It holds no entry.
+    empty: Output<bool>,
+}
+
 /// Puts copies in the order of their tiles.
 #[unit(splat_reorder, config: Config)]
 pub struct Reorder {

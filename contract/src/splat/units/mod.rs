@@ -6,7 +6,7 @@ mod samples;
 mod splats;
 mod whole;
 
-pub use copies::{heap, reorder, splitter, tile_cache};
+pub use copies::{heap, lists, reorder, splitter, tile_cache};
 pub use events::{AccumulatorEvents, Events, RasterizerEvents};
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
 pub use splats::{setup, transform};
@@ -16,11 +16,12 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last.
-pub static UNITS: [&Unit<Config>; 12] = [
+pub static UNITS: [&Unit<Config>; 13] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
     &heap::UNIT,
+    &lists::UNIT,
     &reorder::UNIT,
     &tile_cache::UNIT,
     &rasterizer::UNIT,

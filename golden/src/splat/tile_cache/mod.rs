@@ -8,11 +8,11 @@ mod moves;
 #[cfg(test)]
 mod tests;
 
-use crate::stream::{HalfBuffer, Skid};
+use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
 use moves::{Drain, Job, JobStep};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{IN_FLIGHT_BITS, TILE_PIXELS};
+use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_contract::splat::records::{
     Fill, FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Slot, SlotPixel, SplatCopy, Tile,
 };
@@ -27,6 +27,8 @@ struct Entry {
     tile: u32,
     resident: bool,
     ready: bool,
+    /// A copy was placed in it since its turn to be replaced came last.
+    used: bool,
     /// Copies passed on and not yet retired.
     in_flight: u8,
 }
@@ -67,7 +69,7 @@ pub struct TileCache {
     input: HalfBuffer<SplatCopy>,
     /// The copy that is placed next.
     head: Option<SplatCopy>,
-    out: HalfBuffer<PlacedCopy>,
+    out: Fifo<PlacedCopy>,
     write: Skid<PlacedPixel>,
     pixel: Skid<FinishedPixel>,
 }
@@ -87,7 +89,7 @@ impl TileCache {
             fill: None,
             input: HalfBuffer::default(),
             head: None,
-            out: HalfBuffer::default(),
+            out: Fifo::new(PLACED_QUEUE_DEPTH as usize),
             write: Skid::default(),
             pixel: Skid::default(),
         }
@@ -117,8 +119,17 @@ impl TileCache {
         self.slots.iter().rev().fold(0, |bits, entry| bits << 1 | u64::from(entry.ready))
     }
 
-    /// Mode *run*: returns the copy at the head if it is passed on; a miss starts a job instead.
-    fn run(&mut self) -> Option<PlacedCopy> {
+    /// The turn of a slot that was used since its last one goes to the next slot.
+    fn skip(&mut self) -> bool {
+        let skips = std::mem::take(&mut self.slots[usize::from(self.next)].used);
+        if skips {
+            self.next = (self.next + 1) % self.slots.len() as u8;
+        }
+        skips
+    }
+
+    /// Mode *run*: returns the copy at the head if it is passed on; a miss starts a job instead, unless a turn was skipped.
+    fn run(&mut self, skips: bool) -> Option<PlacedCopy> {
         let copy = self.head?;
         if copy.end {
             return self.out.in_ready().then(|| {
@@ -130,13 +141,14 @@ impl TileCache {
             let entry = &mut self.slots[usize::from(slot)];
             let passes = self.out.in_ready() && entry.in_flight < IN_FLIGHT_MAX;
             entry.in_flight += u8::from(passes);
+            entry.used |= passes;
             return passes.then_some(PlacedCopy { copy, slot });
         }
         let slot = self.next;
         let entry = &mut self.slots[usize::from(slot)];
-        if self.job.is_none() && entry.in_flight == 0 {
+        if !skips && self.job.is_none() && entry.in_flight == 0 {
             let evicted = entry.resident.then_some(entry.tile);
-            *entry = Entry { tile: copy.tile, resident: true, ready: false, in_flight: 0 };
+            *entry = Entry { tile: copy.tile, resident: true, ready: false, used: false, in_flight: 0 };
             self.job = Some(Job { slot, tile: copy.tile, evicted, step: JobStep::Read });
             self.next = (slot + 1) % self.slots.len() as u8;
         }
@@ -217,7 +229,9 @@ impl TileCache {
             }
             FlushStep::Close if room => {
                 pushed = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
-                self.slots.iter_mut().for_each(|entry| entry.resident = false);
+                for entry in &mut self.slots {
+                    (entry.resident, entry.used) = (false, false);
+                }
                 self.next = 0;
                 Mode::Run
             }
@@ -252,13 +266,14 @@ impl Model for TileCache {
         self.read = self.read.filter(|_| !inputs.read_ready);
 
         let (mut passed, mut pixel) = (None, None);
+        let skips = self.skip();
         let job = self.job;
         match self.mode {
             Mode::Clear(code) => {
                 self.touched[code] = false;
                 self.mode = if code + 1 < self.touched.len() { Mode::Clear(code + 1) } else { Mode::Run };
             }
-            Mode::Run => passed = self.run(),
+            Mode::Run => passed = self.run(skips),
             Mode::Wait if self.frame_ended && job.is_none() => {
                 self.frame_ended = false;
                 self.slots.iter_mut().for_each(|entry| entry.ready = false);

@@ -11,6 +11,8 @@ struct Slot {
     resident: Reg,
     ready: Reg,
     in_flight: Reg,
+    /// A copy was placed in it since its turn to be allocated came last.
+    used: Reg,
     /// It is the next to be allocated.
     is_next: Expr,
     /// Its tile is that of the copy to be placed, and that of the frame's tile to be sent.
@@ -50,7 +52,9 @@ pub(super) struct Directory {
     /// The tile in the slot to be allocated next, if `next_resident`.
     pub next_tile: Expr,
     pub next_resident: Expr,
-    /// No copy is under way in the slot to be allocated next.
+    /// The slot to be allocated next was used since its last turn: another's turn comes.
+    skips: Expr,
+    /// It was not, and no copy is under way in it.
     pub next_idle: Expr,
 }
 
@@ -97,6 +101,7 @@ impl Directory {
                 resident: m.reg_reset(&format!("resident_{slot}"), 1, 0),
                 ready: m.reg_reset(&format!("ready_{slot}"), 1, 0),
                 in_flight: m.reg_reset(&format!("in_flight_{slot}"), IN_FLIGHT_BITS, 0),
+                used: m.reg_reset(&format!("used_{slot}"), 1, 0),
                 is_next: next.eq_lit(slot.into()),
                 is_of_copy: m.reg(&format!("is_of_copy_{slot}"), 1),
                 is_of_code: m.reg(&format!("is_of_code_{slot}"), 1),
@@ -108,13 +113,14 @@ impl Directory {
         let sent = Hit::new(m, "sent", slot_bits, &holds_code);
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
         let has_room = !pick(1, holds_copy.into_iter().zip(full));
-        let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero()).collect();
+        let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero() & !slot.used).collect();
         let next_idle = pick(1, slots.iter().map(|slot| slot.is_next).zip(idle));
         let of_next =
             |width, value: fn(&Slot) -> Expr| pick(width, slots.iter().map(|slot| (slot.is_next, value(slot))));
         let next_tile = of_next(tile_bits, |slot| *slot.tile);
         let next_resident = of_next(1, |slot| *slot.resident);
-        Self { slots, next, copy, has_room, sent, next_tile, next_resident, next_idle }
+        let skips = m.wire("skips", of_next(1, |slot| *slot.used));
+        Self { slots, next, copy, has_room, sent, next_tile, next_resident, skips, next_idle }
     }
 
     /// The slot to be allocated next.
@@ -131,7 +137,7 @@ impl Directory {
     pub fn update(self, m: &mut Module, lookup: &Lookup, changes: &Changes) {
         let last = self.next.eq_lit(self.slots.len() as u128 - 1) | changes.clear;
         let next = last.mux(lit(self.next.width(), 0), self.next.add_lit(1));
-        m.next_if(self.next, changes.allocate | changes.clear, next);
+        m.next_if(self.next, (changes.allocate | self.skips) | changes.clear, next);
         for (number, slot) in self.slots.iter().enumerate() {
             let is = |other: Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & slot.is_next;
@@ -145,6 +151,7 @@ impl Directory {
             m.next_if(slot.ready, filled | allocated | changes.close, filled);
             let enters = changes.enter & is(self.copy.slot);
             let leaves = changes.retire & is(changes.retire_slot);
+            m.next(slot.used, (enters | (slot.used & !slot.is_next)) & !changes.clear);
             let count = enters.mux(slot.in_flight.add_lit(1), slot.in_flight.sub_lit(1));
             m.next_if(slot.in_flight, enters ^ leaves, count);
             m.assert(&format!("slot_{number}_retires_what_entered"), !leaves | slot.in_flight.any());

@@ -6,6 +6,7 @@ mod moves;
 mod state;
 
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::PLACED_QUEUE_DEPTH;
 use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, SplatCopy, Tile};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
@@ -104,19 +105,20 @@ fn follow_job(
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    from_pixel(config, 0)
+    sized(config, 0, PLACED_QUEUE_DEPTH)
 }
 
-/// The unit that moves of a tile only the pixels from `first_pixel` on: a proof need not wait for 64 of them.
+/// The unit that moves of a tile only the pixels from `first_pixel` on, with room for `ahead` copies behind it: a proof need not wait for
+/// 64 and 16 of them.
 #[must_use]
-pub fn from_pixel(config: &Config, first_pixel: u32) -> Module {
+pub fn sized(config: &Config, first_pixel: u32, ahead: u32) -> Module {
     let mut m =
         Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
     let queued = PORTS.input.half(&mut m, config);
     let head = Head::new(&mut m, config, queued);
     let tile = head.record.tile;
-    let out = PORTS.out.half(&mut m, config);
+    let out = PORTS.out.deep(&mut m, config, ahead);
     let state = State::new(&mut m, config, first_pixel);
     let read_ready = PORTS.read.drive(&mut m, config, state.read_valid, Tile { tile: *state.tile });
     let data = PORTS.data.declare(&mut m, config);

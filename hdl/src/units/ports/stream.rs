@@ -4,7 +4,7 @@ use pointcore_contract::Record;
 use pointcore_contract::unit::{In, Out, READY};
 use rtl::{Expr, Instance, Module, Stream, Wire};
 
-use crate::stream::{half_buffer, skid};
+use crate::stream::{fifo_distributed, half_buffer, skid};
 use crate::units::documents::{self, prefix};
 use crate::units::passage::Passage;
 use crate::units::wires::{Bundle, Wired, layout};
@@ -147,6 +147,9 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
     /// As [`StreamOutPorts::queue`] at half rate, for records so wide that a register for one is enough to pay.
     fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R>;
 
+    /// As [`StreamOutPorts::queue`], of `depth` items in look-up tables.
+    fn deep(self, m: &mut Module, config: &R::Config, depth: u32) -> QueueOut<R>;
+
     /// The stream that an instance of the unit puts out.
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>>;
 
@@ -175,6 +178,10 @@ impl<R: Record> StreamOutPorts<R> for Out<R> {
 
     fn half(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
         QueueOut::new(self, m, config, half_buffer(&layout::<R>(config)))
+    }
+
+    fn deep(self, m: &mut Module, config: &R::Config, depth: u32) -> QueueOut<R> {
+        QueueOut::new(self, m, config, fifo_distributed(depth, &layout::<R>(config)))
     }
 
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Flow<Wired<R>> {

@@ -45,7 +45,7 @@ pub(super) const ROWS: Rows = &[
     ("run good.toml --set image..width=9", "image..width=9", "key=value"),
     ("run good.toml --set overrides.frobs=9", "overrides.frobs", "`tile_slots`"),
     ("run good.toml --set overrides.tile_slots=1", "`tile_slots` = 1", "2 to 64"),
-    ("run good.toml --set overrides.tile_slots=many", "`overrides.tile_slots`", "a value such as 4"),
+    ("run good.toml --set overrides.tile_slots=many", "`overrides.tile_slots`", "a value such as 8"),
     ("run good.toml --set overrides.width=64", "`overrides.width`", "`image.width`"),
     ("run good.toml --set overrides.geometry=f99", "overrides.geometry", "expected f32, f24"),
     // The image.
