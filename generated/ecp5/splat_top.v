@@ -4256,11 +4256,11 @@ module splat_tile_cache (
     reg [11:0] tile_0;
     reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg is_of_copy_0, is_of_code_0;
+    reg used_0, is_of_copy_0, is_of_code_0;
     reg [11:0] tile_1;
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg is_of_copy_1, is_of_code_1;
+    reg used_1, is_of_copy_1, is_of_code_1;
     wire stored_touched;
     reg touched;
 
@@ -4350,8 +4350,8 @@ module splat_tile_cache (
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
     wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
     wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
-    wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
+    wire start_either = (~next & ((in_flight_0 == 8'd0) & ~used_0)) | (next & ((in_flight_1 == 8'd0) & ~used_1));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either));
     wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
     wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
@@ -4359,6 +4359,7 @@ module splat_tile_cache (
     wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
+    wire skips = (~next & used_0) | (next & used_1);
     wire start_and_not_next = start & ~next;
     wire done_and_not_slot = done & ~slot;
     wire send_and_not_copy_slot = send & ~copy_slot;
@@ -4415,7 +4416,7 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w603 out_queue (
+    stream_fifo_d16_w603_distributed out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
@@ -4475,9 +4476,11 @@ module splat_tile_cache (
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
+            used_0 <= 1'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
+            used_1 <= 1'd0;
             fill_valid <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
@@ -4485,6 +4488,8 @@ module splat_tile_cache (
             code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
+            used_0 <= (send_and_not_copy_slot | (used_0 & next)) & ~close;
+            used_1 <= (send_and_copy_slot | (used_1 & ~next)) & ~close;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
             if (mode_is_0 | next_tile) code <= code + 12'd1;
@@ -4494,7 +4499,7 @@ module splat_tile_cache (
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
+            if (start | skips | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
             if (start_and_not_next | close) resident_0 <= start_and_not_next;
             if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
             if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
@@ -4698,26 +4703,62 @@ module stream_skid_w338 (
 `endif
 endmodule
 
-// One item in a register, at half rate.
+// Queue in a memory with a registered output.
+// depth = 16
 // width = 603
-module stream_half_buffer_w603 (
+// storage = distributed
+module stream_fifo_d16_w603_distributed (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire [602:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [602:0] out_data
+    output reg  out_valid, input wire out_ready, output wire [602:0] out_data
 );
-    reg full;
+    (* ram_style = "distributed" *)
+    reg [602:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
     reg [602:0] item;
 
-    assign in_ready = ~full;
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_valid = full;
+    assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
     end
-    always @(posedge clk) if (in_ready) item <= in_data;
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.

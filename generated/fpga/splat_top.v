@@ -172,7 +172,7 @@ module splat_top (
     wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
     wire [3:0] tile_cache_out_last_difference;
     wire [11:0] tile_cache_out_tile;
-    wire [1:0] tile_cache_out_slot;
+    wire [2:0] tile_cache_out_slot;
     wire tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
@@ -183,9 +183,9 @@ module splat_top (
     wire [15:0] tile_cache_pixel_attribute_5, tile_cache_pixel_attribute_6, tile_cache_pixel_attribute_7;
     wire [15:0] tile_cache_pixel_attribute_8, tile_cache_pixel_attribute_9, tile_cache_pixel_attribute_10;
     wire [15:0] tile_cache_pixel_attribute_11, tile_cache_pixel_attribute_12, tile_cache_pixel_cardinal_0;
-    wire [3:0] tile_cache_slot_ready;
+    wire [7:0] tile_cache_slot_ready;
     wire tile_cache_fill_valid;
-    wire [1:0] tile_cache_fill_slot;
+    wire [2:0] tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
@@ -195,11 +195,11 @@ module splat_top (
     wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
     wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
     wire tile_cache_drain_enable;
-    wire [1:0] tile_cache_drain_slot;
+    wire [2:0] tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
     wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
     wire rasterizer_out_inside;
-    wire [1:0] rasterizer_out_slot;
+    wire [2:0] rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
     wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
@@ -209,7 +209,7 @@ module splat_top (
     wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
     wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
     wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire [1:0] weighting_out_slot;
+    wire [2:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
@@ -220,7 +220,7 @@ module splat_top (
     wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
     wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
     wire accumulator_in_ready, accumulator_retire_valid;
-    wire [1:0] accumulator_retire_slot;
+    wire [2:0] accumulator_retire_slot;
     wire accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
@@ -1259,7 +1259,7 @@ module stream_skid_w275 (
 endmodule
 
 // Blends samples into the pixels of the tile slots.
-// slots = 4
+// slots = 8
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
@@ -1267,7 +1267,7 @@ module splat_accumulator (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire [1:0] in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [39:0] in_weighted_depth,  // Weighted depth.
@@ -1287,12 +1287,12 @@ module splat_accumulator (
     input  wire [15:0] in_attribute_11,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_12,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_cardinal_0,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     output reg  retire_valid,  // A copy is done with.
-    output reg  [1:0] retire_slot,  // Slot of the tile cache.
+    output reg  [2:0] retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
     input  wire fill_valid,  // Write to a slot.
-    input  wire [1:0] fill_slot,  // Slot of the tile cache.
+    input  wire [2:0] fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
     input  wire [51:0] fill_depth,  // Sum of weighted depths.
@@ -1312,7 +1312,7 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire drain_enable,  // Read of a slot.
-    input  wire [1:0] drain_slot,  // Slot of the tile cache.
+    input  wire [2:0] drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
     output wire [27:0] drain_weight,  // Sum of weights.
     output wire [51:0] drain_depth,  // Sum of weighted depths.
@@ -1336,34 +1336,34 @@ module splat_accumulator (
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
     reg valid_1, inside_1, last_1;
-    reg [1:0] slot_1;
+    reg [2:0] slot_1;
     reg [5:0] pixel_1;
     reg valid_2, inside_2, last_2;
-    reg [1:0] slot_2;
+    reg [2:0] slot_2;
     reg [5:0] pixel_2;
     reg valid_3, inside_3, last_3;
-    reg [1:0] slot_3;
+    reg [2:0] slot_3;
     reg [5:0] pixel_3;
     reg valid_4, inside_4, last_4;
-    reg [1:0] slot_4;
+    reg [2:0] slot_4;
     reg [5:0] pixel_4;
     reg valid_5, inside_5, last_5;
-    reg [1:0] slot_5;
+    reg [2:0] slot_5;
     reg [5:0] pixel_5;
     reg valid_6, inside_6, last_6;
-    reg [1:0] slot_6;
+    reg [2:0] slot_6;
     reg [5:0] pixel_6;
     reg valid_7, inside_7, last_7;
-    reg [1:0] slot_7;
+    reg [2:0] slot_7;
     reg [5:0] pixel_7;
     reg valid_8, inside_8, last_8;
-    reg [1:0] slot_8;
+    reg [2:0] slot_8;
     reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;  // Closes the frame.
     reg head_last;  // Closes its copy.
     reg head_inside;  // Lies inside the splat.
-    reg [1:0] head_slot;  // Slot of the tile cache.
+    reg [2:0] head_slot;  // Slot of the tile cache.
     reg [5:0] head_pixel;  // Pixel of the tile.
     reg [15:0] head_weight;  // Kernel weight.
     reg [39:0] head_weighted_depth;  // Weighted depth.
@@ -1392,8 +1392,16 @@ module splat_accumulator (
     wire [319:0] slot_2_read;
     reg [319:0] slot_2_pixel;
     wire [319:0] slot_3_read;
-    reg [319:0] slot_3_pixel, stored;
-    reg [1:0] drained_slot;
+    reg [319:0] slot_3_pixel;
+    wire [319:0] slot_4_read;
+    reg [319:0] slot_4_pixel;
+    wire [319:0] slot_5_read;
+    reg [319:0] slot_5_pixel;
+    wire [319:0] slot_6_read;
+    reg [319:0] slot_6_pixel;
+    wire [319:0] slot_7_read;
+    reg [319:0] slot_7_pixel, stored;
+    reg [2:0] drained_slot;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -1470,7 +1478,7 @@ module splat_accumulator (
     reg [15:0] stored_cardinal_0_8;
 
     wire places_out_valid;
-    wire [10:0] places_out_data;
+    wire [11:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [327:0] samples_out_data;
     wire depth_test_fail, depth_test_pass;
@@ -1478,10 +1486,12 @@ module splat_accumulator (
     wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
     wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
 
-    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
-    wire filling_0 = fill_valid & (fill_slot == 2'd0);
+    wire [319:0] drained_choice = drained_slot[1] ? (drained_slot[0] ? slot_7_pixel : slot_6_pixel) : drained_slot[0] ? slot_5_pixel : slot_4_pixel;
+    wire [319:0] drained_choice_2 = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
+    wire [319:0] drained = drained_slot[2] ? drained_choice : drained_choice_2;
+    wire filling_0 = fill_valid & (fill_slot == 3'd0);
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] slot_3_pixels_data_bits = {
+    wire [319:0] slot_7_pixels_data_bits = {
         fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
         fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
         fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
@@ -1529,23 +1539,31 @@ module splat_accumulator (
     wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 2'd0);
-    wire filling_1 = fill_valid & (fill_slot == 2'd1);
-    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 2'd1);
-    wire filling_2 = fill_valid & (fill_slot == 2'd2);
-    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 2'd2);
-    wire filling_3 = fill_valid & (fill_slot == 2'd3);
-    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 2'd3);
+    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 3'd0);
+    wire filling_1 = fill_valid & (fill_slot == 3'd1);
+    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 3'd1);
+    wire filling_2 = fill_valid & (fill_slot == 3'd2);
+    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 3'd2);
+    wire filling_3 = fill_valid & (fill_slot == 3'd3);
+    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 3'd3);
+    wire filling_4 = fill_valid & (fill_slot == 3'd4);
+    wire slot_4_pixel_enable_both = drain_enable & (drain_slot == 3'd4);
+    wire filling_5 = fill_valid & (fill_slot == 3'd5);
+    wire slot_5_pixel_enable_both = drain_enable & (drain_slot == 3'd5);
+    wire filling_6 = fill_valid & (fill_slot == 3'd6);
+    wire slot_6_pixel_enable_both = drain_enable & (drain_slot == 3'd6);
+    wire filling_7 = fill_valid & (fill_slot == 3'd7);
+    wire slot_7_pixel_enable_both = drain_enable & (drain_slot == 3'd7);
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
     wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
-    wire places_out_end = places_out_data[10];
-    wire places_out_last = places_out_data[9];
-    wire places_out_inside = places_out_data[8];
-    wire [1:0] places_out_slot = places_out_data[7:6];
+    wire places_out_end = places_out_data[11];
+    wire places_out_last = places_out_data[10];
+    wire places_out_inside = places_out_data[9];
+    wire [2:0] places_out_slot = places_out_data[8:6];
     wire [5:0] places_out_pixel = places_out_data[5:0];
     wire [15:0] samples_out_weight = samples_out_data[327:312];
     wire [39:0] samples_out_weighted_depth = samples_out_data[311:272];
@@ -1565,18 +1583,20 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
     wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
-    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[7:0] == {head_slot, head_pixel});
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[8:0] == {head_slot, head_pixel});
     wire [7:0] collisions_bits = {
-        inside_7 & (places_out_data[7:0] == {slot_7, pixel_7}),
-        inside_6 & (places_out_data[7:0] == {slot_6, pixel_6}),
-        inside_5 & (places_out_data[7:0] == {slot_5, pixel_5}),
-        inside_4 & (places_out_data[7:0] == {slot_4, pixel_4}),
-        inside_3 & (places_out_data[7:0] == {slot_3, pixel_3}),
-        inside_2 & (places_out_data[7:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[7:0] == {slot_1, pixel_1}), collisions_both
+        inside_7 & (places_out_data[8:0] == {slot_7, pixel_7}),
+        inside_6 & (places_out_data[8:0] == {slot_6, pixel_6}),
+        inside_5 & (places_out_data[8:0] == {slot_5, pixel_5}),
+        inside_4 & (places_out_data[8:0] == {slot_4, pixel_4}),
+        inside_3 & (places_out_data[8:0] == {slot_3, pixel_3}),
+        inside_2 & (places_out_data[8:0] == {slot_2, pixel_2}),
+        inside_1 & (places_out_data[8:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [3:0] arrived_shifted = slot_ready >> places_out_slot;
-    wire [3:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire [7:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [7:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire [319:0] stored_choice = slot_2[1] ? (slot_2[0] ? slot_7_pixel : slot_6_pixel) : slot_2[0] ? slot_5_pixel : slot_4_pixel;
+    wire [319:0] stored_choice_2 = slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
 
     assign {
         drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
@@ -1586,38 +1606,70 @@ module splat_accumulator (
     } = drained;
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
-        .clk(clk), .write(filling_0 | (writes & (slot_8 == 2'd0))),
+        .clk(clk), .write(filling_0 | (writes & (slot_8 == 3'd0))),
         .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : slot_0_pixel_enable_both),
+        .write_data(filling_0 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & (head_slot == 3'd0)) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
-        .clk(clk), .write(filling_1 | (writes & (slot_8 == 2'd1))),
+        .clk(clk), .write(filling_1 | (writes & (slot_8 == 3'd1))),
         .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : slot_1_pixel_enable_both),
+        .write_data(filling_1 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & (head_slot == 3'd1)) : slot_1_pixel_enable_both),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_2_pixels (
-        .clk(clk), .write(filling_2 | (writes & (slot_8 == 2'd2))),
+        .clk(clk), .write(filling_2 | (writes & (slot_8 == 3'd2))),
         .write_address(filling_2 ? fill_pixel : pixel_8),
-        .write_data(filling_2 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : slot_2_pixel_enable_both),
+        .write_data(filling_2 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[2] ? (issue_inside & (head_slot == 3'd2)) : slot_2_pixel_enable_both),
         .read_address(slot_ready[2] ? head_pixel : drain_pixel), .read_data(slot_2_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_3_pixels (
-        .clk(clk), .write(filling_3 | (writes & (slot_8 == 2'd3))),
+        .clk(clk), .write(filling_3 | (writes & (slot_8 == 3'd3))),
         .write_address(filling_3 ? fill_pixel : pixel_8),
-        .write_data(filling_3 ? slot_3_pixels_data_bits : result),
-        .read(slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : slot_3_pixel_enable_both),
+        .write_data(filling_3 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[3] ? (issue_inside & (head_slot == 3'd3)) : slot_3_pixel_enable_both),
         .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
     );
 
-    stream_fifo_d64_w11_distributed places (
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_4_pixels (
+        .clk(clk), .write(filling_4 | (writes & (slot_8 == 3'd4))),
+        .write_address(filling_4 ? fill_pixel : pixel_8),
+        .write_data(filling_4 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[4] ? (issue_inside & (head_slot == 3'd4)) : slot_4_pixel_enable_both),
+        .read_address(slot_ready[4] ? head_pixel : drain_pixel), .read_data(slot_4_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_5_pixels (
+        .clk(clk), .write(filling_5 | (writes & (slot_8 == 3'd5))),
+        .write_address(filling_5 ? fill_pixel : pixel_8),
+        .write_data(filling_5 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[5] ? (issue_inside & (head_slot == 3'd5)) : slot_5_pixel_enable_both),
+        .read_address(slot_ready[5] ? head_pixel : drain_pixel), .read_data(slot_5_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_6_pixels (
+        .clk(clk), .write(filling_6 | (writes & (slot_8 == 3'd6))),
+        .write_address(filling_6 ? fill_pixel : pixel_8),
+        .write_data(filling_6 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[6] ? (issue_inside & (head_slot == 3'd6)) : slot_6_pixel_enable_both),
+        .read_address(slot_ready[6] ? head_pixel : drain_pixel), .read_data(slot_6_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_7_pixels (
+        .clk(clk), .write(filling_7 | (writes & (slot_8 == 3'd7))),
+        .write_address(filling_7 ? fill_pixel : pixel_8),
+        .write_data(filling_7 ? slot_7_pixels_data_bits : result),
+        .read(slot_ready[7] ? (issue_inside & (head_slot == 3'd7)) : slot_7_pixel_enable_both),
+        .read_address(slot_ready[7] ? head_pixel : drain_pixel), .read_data(slot_7_read)
+    );
+
+    stream_fifo_d64_w12_distributed places (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
@@ -1768,7 +1820,7 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
+        stored <= slot_2[2] ? stored_choice : stored_choice_2;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1961,10 +2013,14 @@ module splat_accumulator (
         if (slot_ready[1] | slot_1_pixel_enable_both) slot_1_pixel <= slot_1_read;
         if (slot_ready[2] | slot_2_pixel_enable_both) slot_2_pixel <= slot_2_read;
         if (slot_ready[3] | slot_3_pixel_enable_both) slot_3_pixel <= slot_3_read;
+        if (slot_ready[4] | slot_4_pixel_enable_both) slot_4_pixel <= slot_4_read;
+        if (slot_ready[5] | slot_5_pixel_enable_both) slot_5_pixel <= slot_5_read;
+        if (slot_ready[6] | slot_6_pixel_enable_both) slot_6_pixel <= slot_6_read;
+        if (slot_ready[7] | slot_7_pixel_enable_both) slot_7_pixel <= slot_7_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, arrived_shifted[3:1], arrived_shifted_2[3:1], samples_in_ready, samples_out_valid};
+    wire _unused = &{1'b0, arrived_shifted[7:1], arrived_shifted_2[7:1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -2179,18 +2235,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 11
+// width = 12
 // storage = distributed
-module stream_fifo_d64_w11_distributed (
+module stream_fifo_d64_w12_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [11:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [11:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [10:0] entries [0:63];
+    reg [11:0] entries [0:63];
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    reg [10:0] item;
+    reg [11:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -2244,7 +2300,7 @@ module splat_weighting (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire [1:0] in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [23:0] in_depth,  // Depth.
@@ -2268,7 +2324,7 @@ module splat_weighting (
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire [1:0] out_slot,  // Slot of the tile cache.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [39:0] out_weighted_depth,  // Weighted depth.
@@ -2292,11 +2348,11 @@ module splat_weighting (
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [74:0] delay_10_from_0 [0:8];
+    reg [75:0] delay_10_from_0 [0:8];
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [74:0] delay_10_from_0_out;
+    reg [75:0] delay_10_from_0_out;
     reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4, attribute_3_d1, attribute_3_d2, attribute_3_d3, attribute_3_d4;
@@ -2308,7 +2364,7 @@ module splat_weighting (
     reg [15:0] attribute_11_d3, attribute_11_d4, attribute_12_d1, attribute_12_d2, attribute_12_d3, attribute_12_d4;
     reg [9:0] in_flight;
 
-    wire [338:0] queue_out_data;
+    wire [339:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y;
@@ -2319,11 +2375,11 @@ module splat_weighting (
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
-    wire [1:0] slot_d10 = delay_10_from_0_out[4:3];
-    wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
-    wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
-    wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
-    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[74:59];
+    wire [2:0] slot_d10 = delay_10_from_0_out[5:3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[11:6];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[35:12];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[59:36];
+    wire [15:0] cardinal_0_d10 = delay_10_from_0_out[75:60];
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
     wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
 
@@ -2334,7 +2390,7 @@ module splat_weighting (
         out_attribute_11, out_attribute_12, out_cardinal_0
     } = queue_out_data;
 
-    stream_skid_w339 queue (
+    stream_skid_w340 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
         .in_data({
             end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
@@ -2694,6 +2750,49 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
     end
 endmodule
 
+// Queue of two in registers.
+// width = 340
+module stream_skid_w340 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [339:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [339:0] out_data
+);
+    reg second_valid;
+    reg [339:0] head, second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+
+    assign out_data = head;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) out_valid <= some_item;
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        second_waits_behind_head: assert (out_valid | in_ready);
+`else
+        if (!(out_valid | in_ready)) begin
+            $display("assertion failed: second_waits_behind_head in %m"); $stop;
+        end
+`endif
+    end
+`endif
+endmodule
+
 // Samples of a splat copy, one a cycle, with their kernel weights.
 module splat_rasterizer (
     input  wire clk, input wire rst,
@@ -2739,12 +2838,12 @@ module splat_rasterizer (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [11:0] in_tile,  // Tile index: row above column.
-    input  wire [1:0] in_slot,  // Slot of the tile cache.
+    input  wire [2:0] in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire [1:0] out_slot,  // Slot of the tile cache.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [23:0] out_depth,  // Depth.
@@ -2770,7 +2869,7 @@ module splat_rasterizer (
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
     reg busy, idle, is_end, is_last;
-    reg [1:0] slot;
+    reg [2:0] slot;
     reg [11:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
     reg [3:0] first_sum;  // Smallest sum.
@@ -2989,7 +3088,7 @@ endmodule
 module splat_evaluation (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
-    input  wire [1:0] in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
+    input  wire [2:0] in_slot, input wire [8:0] in_column, input wire [8:0] in_row,
     input  wire [31:0] in_center_x, input wire [31:0] in_center_y, input wire [31:0] in_ax,
     input  wire [31:0] in_bx, input wire [31:0] in_ay, input wire [31:0] in_by,
     input  wire [31:0] in_delta, input wire [31:0] in_mx, input wire [31:0] in_my,
@@ -2997,7 +3096,7 @@ module splat_evaluation (
     input  wire in_sight_turned, input wire in_sight_disc,
     input  wire [31:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
-    output wire out_inside, output wire [1:0] out_slot, output wire [5:0] out_pixel,
+    output wire out_inside, output wire [2:0] out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -3037,14 +3136,14 @@ module splat_evaluation (
     reg [6:0] delay_69_from_0_pointer;
     wire delay_69_from_0_out;
     reg [6:0] delay_74_from_0_pointer;
-    wire [7:0] delay_74_from_0_out;
+    wire [8:0] delay_74_from_0_out;
     reg end_d69;
     reg [31:0] minus_center_x_d1, minus_center_x_d2, minus_center_x_d3, minus_center_y_d1, minus_center_y_d2;
     reg [31:0] minus_center_y_d3;
     reg not_rho_squared_unequal_d1, rho_squared_in_order_d1, rho_squared_in_order_d1_copy2, not_end_d1;
     reg [73:0] in_flight;
 
-    wire [26:0] queue_out_data;
+    wire [27:0] queue_out_data;
     wire [31:0] to_float_u10q1_f32_ftz_unit_y, to_float_u10q1_f32_ftz_unit_copy2_y, add_f32_ftz_unit_y;
     wire [31:0] add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
     wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
@@ -3060,8 +3159,8 @@ module splat_evaluation (
     wire end_d74 = delay_5_from_0_out[0];
     wire last_d74 = delay_5_from_0_out[1];
     wire inside_out_d5 = delay_5_from_0_out[2];
-    wire [1:0] slot_d74 = delay_74_from_0_out[1:0];
-    wire [5:0] pixel_out_d74 = delay_74_from_0_out[7:2];
+    wire [2:0] slot_d74 = delay_74_from_0_out[2:0];
+    wire [5:0] pixel_out_d74 = delay_74_from_0_out[8:3];
     wire [31:0] y_times_my_d6 = delay_6_from_0_out[63:32];
     wire [31:0] s2_squared_d6 = delay_6_from_0_out[95:64];
     wire [31:0] ay_d9 = delay_9_from_0_out[31:0];
@@ -3103,13 +3202,13 @@ module splat_evaluation (
         .read(in_ready), .read_address(delay_69_from_0_pointer), .read_data(delay_69_from_0_out)
     );
 
-    memory_1w1r #(.WIDTH(8), .DEPTH(73)) delay_74_from_0 (
+    memory_1w1r #(.WIDTH(9), .DEPTH(73)) delay_74_from_0 (
         .clk(clk), .write(in_ready), .write_address(delay_74_from_0_pointer),
         .write_data({in_row[2:0], in_column[2:0], in_slot}),
         .read(in_ready), .read_address(delay_74_from_0_pointer), .read_data(delay_74_from_0_out)
     );
 
-    stream_skid_w27 queue (
+    stream_skid_w28 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[73] & end_or_last_or_inside_out_d5), .in_ready(in_ready),
         .in_data({end_d74, last_d74, inside_out_d5, slot_d74, pixel_out_d74, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
@@ -4113,14 +4212,14 @@ module float_from_fixed_s3_f32ftz_w10_f1_unsigned (
 endmodule
 
 // Queue of two in registers.
-// width = 27
-module stream_skid_w27 (
+// width = 28
+module stream_skid_w28 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [27:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [27:0] out_data
 );
     reg second_valid;
-    reg [26:0] head, second;
+    reg [27:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -4156,7 +4255,7 @@ module stream_skid_w27 (
 endmodule
 
 // Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 4
+// slots = 8
 module splat_tile_cache (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
@@ -4243,7 +4342,7 @@ module splat_tile_cache (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [11:0] out_tile,  // Tile index: row above column.
-    output wire [1:0] out_slot,  // Slot of the tile cache.
+    output wire [2:0] out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output reg  [11:0] read_tile,  // Tile index.
     input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
@@ -4305,12 +4404,12 @@ module splat_tile_cache (
     output wire [15:0] pixel_attribute_11,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    output wire [7:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
-    input  wire [1:0] retire_slot,  // Slot of the tile cache.
+    input  wire [2:0] retire_slot,  // Slot of the tile cache.
     input  wire frame_end,  // The accumulator is done with the frame.
     output reg  fill_valid,  // Write to a slot.
-    output wire [1:0] fill_slot,  // Slot of the tile cache.
+    output wire [2:0] fill_slot,  // Slot of the tile cache.
     output reg  [5:0] fill_pixel,  // Pixel of the tile.
     output reg  [27:0] fill_weight,  // Sum of weights.
     output reg  [51:0] fill_depth,  // Sum of weighted depths.
@@ -4330,7 +4429,7 @@ module splat_tile_cache (
     output reg  [15:0] fill_attribute_12,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_cardinal_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire drain_enable,  // Read of a slot.
-    output wire [1:0] drain_slot,  // Slot of the tile cache.
+    output wire [2:0] drain_slot,  // Slot of the tile cache.
     output wire [5:0] drain_pixel,  // Pixel of the tile.
     input  wire [27:0] drain_weight,  // Sum of weights.
     input  wire [51:0] drain_depth,  // Sum of weighted depths.
@@ -4396,7 +4495,7 @@ module splat_tile_cache (
     reg frame_ended;
     reg [11:0] code;
     reg code_read, looking, looked, moving;
-    reg [1:0] slot;
+    reg [2:0] slot;
     reg evict;
     reg [11:0] evict_tile;
     reg load;
@@ -4406,30 +4505,46 @@ module splat_tile_cache (
     reg holding;
     reg [5:0] held_pixel;
     reg [6:0] filled;
-    reg [1:0] next;
+    reg [2:0] next;
     reg [11:0] tile_0;
     reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg is_of_copy_0, is_of_code_0;
+    reg used_0, is_of_copy_0, is_of_code_0;
     reg [11:0] tile_1;
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg is_of_copy_1, is_of_code_1;
+    reg used_1, is_of_copy_1, is_of_code_1;
     reg [11:0] tile_2;
     reg resident_2, ready_2;
     reg [7:0] in_flight_2;
-    reg is_of_copy_2, is_of_code_2;
+    reg used_2, is_of_copy_2, is_of_code_2;
     reg [11:0] tile_3;
     reg resident_3, ready_3;
     reg [7:0] in_flight_3;
-    reg is_of_copy_3, is_of_code_3;
+    reg used_3, is_of_copy_3, is_of_code_3;
+    reg [11:0] tile_4;
+    reg resident_4, ready_4;
+    reg [7:0] in_flight_4;
+    reg used_4, is_of_copy_4, is_of_code_4;
+    reg [11:0] tile_5;
+    reg resident_5, ready_5;
+    reg [7:0] in_flight_5;
+    reg used_5, is_of_copy_5, is_of_code_5;
+    reg [11:0] tile_6;
+    reg resident_6, ready_6;
+    reg [7:0] in_flight_6;
+    reg used_6, is_of_copy_6, is_of_code_6;
+    reg [11:0] tile_7;
+    reg resident_7, ready_7;
+    reg [7:0] in_flight_7;
+    reg used_7, is_of_copy_7, is_of_code_7;
     wire stored_touched;
     reg touched;
 
     wire in_queue_out_valid;
     wire [689:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [691:0] out_queue_out_data;
+    wire [692:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [337:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -4452,18 +4567,27 @@ module splat_tile_cache (
     wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
     wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
     wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
-    wire [3:0] copy_hit_bits = {
+    wire resident_4_and_is_of_copy_4 = resident_4 & is_of_copy_4;
+    wire resident_5_and_is_of_copy_5 = resident_5 & is_of_copy_5;
+    wire resident_6_and_is_of_copy_6 = resident_6 & is_of_copy_6;
+    wire resident_7_and_is_of_copy_7 = resident_7 & is_of_copy_7;
+    wire [7:0] copy_hit_bits = {
         resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
-        resident_3_and_is_of_copy_3
+        resident_3_and_is_of_copy_3, resident_4_and_is_of_copy_4, resident_5_and_is_of_copy_5,
+        resident_6_and_is_of_copy_6, resident_7_and_is_of_copy_7
     };
     wire copy_hit = |copy_hit_bits;
     wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
     wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_2));
+    wire send_either_3 = send_either_2 | (resident_4_and_is_of_copy_4 & &in_flight_4) | (resident_5_and_is_of_copy_5 & &in_flight_5);
+    wire send_either_4 = send_either_3 | (resident_6_and_is_of_copy_6 & &in_flight_6) | (resident_7_and_is_of_copy_7 & &in_flight_7);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_4));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire send_or_send_end = send | send_end;
-    wire [1:0] copy_slot_either = ({2{resident_1_and_is_of_copy_1}} & 2'd1) | ({2{resident_2_and_is_of_copy_2}} & 2'd2);
-    wire [1:0] copy_slot = copy_slot_either | {2{resident_3_and_is_of_copy_3}};
+    wire [2:0] copy_slot_either = ({3{resident_1_and_is_of_copy_1}} & 3'd1) | ({3{resident_2_and_is_of_copy_2}} & 3'd2);
+    wire [2:0] copy_slot_either_2 = copy_slot_either | ({3{resident_3_and_is_of_copy_3}} & 3'd3) | ({3{resident_4_and_is_of_copy_4}} & 3'd4);
+    wire [2:0] copy_slot_either_3 = copy_slot_either_2 | ({3{resident_5_and_is_of_copy_5}} & 3'd5) | ({3{resident_6_and_is_of_copy_6}} & 3'd6);
+    wire [2:0] copy_slot = copy_slot_either_3 | {3{resident_7_and_is_of_copy_7}};
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
@@ -4520,47 +4644,83 @@ module splat_tile_cache (
     wire resident_1_and_is_of_code_1 = resident_1 & is_of_code_1;
     wire resident_2_and_is_of_code_2 = resident_2 & is_of_code_2;
     wire resident_3_and_is_of_code_3 = resident_3 & is_of_code_3;
-    wire [3:0] sent_hit_bits = {
+    wire resident_4_and_is_of_code_4 = resident_4 & is_of_code_4;
+    wire resident_5_and_is_of_code_5 = resident_5 & is_of_code_5;
+    wire resident_6_and_is_of_code_6 = resident_6 & is_of_code_6;
+    wire resident_7_and_is_of_code_7 = resident_7 & is_of_code_7;
+    wire [7:0] sent_hit_bits = {
         resident_0 & is_of_code_0, resident_1_and_is_of_code_1, resident_2_and_is_of_code_2,
-        resident_3_and_is_of_code_3
+        resident_3_and_is_of_code_3, resident_4_and_is_of_code_4, resident_5_and_is_of_code_5,
+        resident_6_and_is_of_code_6, resident_7_and_is_of_code_7
     };
     wire sent_hit = |sent_hit_bits;
     wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
     wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire next_is_0 = next == 2'd0;
-    wire next_is_1 = next == 2'd1;
-    wire start_either = (next_is_0 & (in_flight_0 == 8'd0)) | (next_is_1 & (in_flight_1 == 8'd0));
-    wire next_is_2 = next == 2'd2;
-    wire next_is_3 = next == 2'd3;
-    wire start_either_2 = start_either | (next_is_2 & (in_flight_2 == 8'd0)) | (next_is_3 & (in_flight_3 == 8'd0));
-    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_2));
+    wire next_is_0 = next == 3'd0;
+    wire next_is_1 = next == 3'd1;
+    wire start_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
+    wire next_is_2 = next == 3'd2;
+    wire next_is_3 = next == 3'd3;
+    wire start_either_2 = start_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
+    wire next_is_4 = next == 3'd4;
+    wire next_is_5 = next == 3'd5;
+    wire start_either_3 = start_either_2 | (next_is_4 & ((in_flight_4 == 8'd0) & ~used_4)) | (next_is_5 & ((in_flight_5 == 8'd0) & ~used_5));
+    wire next_is_6 = next == 3'd6;
+    wire next_is_7 = next == 3'd7;
+    wire start_either_4 = start_either_3 | (next_is_6 & ((in_flight_6 == 8'd0) & ~used_6)) | (next_is_7 & ((in_flight_7 == 8'd0) & ~used_7));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_4));
     wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
     wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
-    wire [1:0] sent_slot_either = ({2{resident_1_and_is_of_code_1}} & 2'd1) | ({2{resident_2_and_is_of_code_2}} & 2'd2);
-    wire [1:0] sent_slot = sent_slot_either | {2{resident_3_and_is_of_code_3}};
+    wire [2:0] sent_slot_either = ({3{resident_1_and_is_of_code_1}} & 3'd1) | ({3{resident_2_and_is_of_code_2}} & 3'd2);
+    wire [2:0] sent_slot_either_2 = sent_slot_either | ({3{resident_3_and_is_of_code_3}} & 3'd3) | ({3{resident_4_and_is_of_code_4}} & 3'd4);
+    wire [2:0] sent_slot_either_3 = sent_slot_either_2 | ({3{resident_5_and_is_of_code_5}} & 3'd5) | ({3{resident_6_and_is_of_code_6}} & 3'd6);
+    wire [2:0] sent_slot = sent_slot_either_3 | {3{resident_7_and_is_of_code_7}};
     wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
     wire evict_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire evict_either_2 = evict_either | (next_is_3 & resident_3) | (next_is_4 & resident_4);
+    wire evict_either_3 = evict_either_2 | (next_is_5 & resident_5) | (next_is_6 & resident_6);
     wire [11:0] evict_tile_either = ({12{next_is_0}} & tile_0) | ({12{next_is_1}} & tile_1) | ({12{next_is_2}} & tile_2);
+    wire [11:0] evict_tile_either_2 = evict_tile_either | ({12{next_is_3}} & tile_3) | ({12{next_is_4}} & tile_4);
+    wire [11:0] evict_tile_either_3 = evict_tile_either_2 | ({12{next_is_5}} & tile_5) | ({12{next_is_6}} & tile_6);
     wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
+    wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
+    wire skips_either_2 = skips_either | (next_is_3 & used_3) | (next_is_4 & used_4) | (next_is_5 & used_5);
+    wire skips = skips_either_2 | (next_is_6 & used_6) | (next_is_7 & used_7);
     wire start_and_next_is_0 = start & next_is_0;
-    wire ready_0_both = done & (slot == 2'd0);
-    wire in_flight_0_both = send & (copy_slot == 2'd0);
-    wire in_flight_0_enable_both = retire_valid & (retire_slot == 2'd0);
+    wire ready_0_both = done & (slot == 3'd0);
+    wire in_flight_0_both = send & (copy_slot == 3'd0);
+    wire in_flight_0_enable_both = retire_valid & (retire_slot == 3'd0);
     wire start_and_next_is_1 = start & next_is_1;
-    wire ready_1_both = done & (slot == 2'd1);
-    wire in_flight_1_both = send & (copy_slot == 2'd1);
-    wire in_flight_1_enable_both = retire_valid & (retire_slot == 2'd1);
+    wire ready_1_both = done & (slot == 3'd1);
+    wire in_flight_1_both = send & (copy_slot == 3'd1);
+    wire in_flight_1_enable_both = retire_valid & (retire_slot == 3'd1);
     wire start_and_next_is_2 = start & next_is_2;
-    wire ready_2_both = done & (slot == 2'd2);
-    wire in_flight_2_both = send & (copy_slot == 2'd2);
-    wire in_flight_2_enable_both = retire_valid & (retire_slot == 2'd2);
+    wire ready_2_both = done & (slot == 3'd2);
+    wire in_flight_2_both = send & (copy_slot == 3'd2);
+    wire in_flight_2_enable_both = retire_valid & (retire_slot == 3'd2);
     wire start_and_next_is_3 = start & next_is_3;
-    wire ready_3_both = done & (slot == 2'd3);
-    wire in_flight_3_both = send & (copy_slot == 2'd3);
-    wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
+    wire ready_3_both = done & (slot == 3'd3);
+    wire in_flight_3_both = send & (copy_slot == 3'd3);
+    wire in_flight_3_enable_both = retire_valid & (retire_slot == 3'd3);
+    wire start_and_next_is_4 = start & next_is_4;
+    wire ready_4_both = done & (slot == 3'd4);
+    wire in_flight_4_both = send & (copy_slot == 3'd4);
+    wire in_flight_4_enable_both = retire_valid & (retire_slot == 3'd4);
+    wire start_and_next_is_5 = start & next_is_5;
+    wire ready_5_both = done & (slot == 3'd5);
+    wire in_flight_5_both = send & (copy_slot == 3'd5);
+    wire in_flight_5_enable_both = retire_valid & (retire_slot == 3'd5);
+    wire start_and_next_is_6 = start & next_is_6;
+    wire ready_6_both = done & (slot == 3'd6);
+    wire in_flight_6_both = send & (copy_slot == 3'd6);
+    wire in_flight_6_enable_both = retire_valid & (retire_slot == 3'd6);
+    wire start_and_next_is_7 = start & next_is_7;
+    wire ready_7_both = done & (slot == 3'd7);
+    wire in_flight_7_both = send & (copy_slot == 3'd7);
+    wire in_flight_7_enable_both = retire_valid & (retire_slot == 3'd7);
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
@@ -4584,7 +4744,7 @@ module splat_tile_cache (
         pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
         pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
     } = pixel_queue_out_data;
-    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
+    assign slot_ready = {ready_7, ready_6, ready_5, ready_4, ready_3, ready_2, ready_1, ready_0};
     assign fill_slot = slot;
     assign drain_enable = drain_step;
     assign drain_slot = slot;
@@ -4609,7 +4769,7 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w692 out_queue (
+    stream_fifo_d16_w693_distributed out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
@@ -4665,19 +4825,39 @@ module splat_tile_cache (
             read_valid <= 1'd0;
             showing <= 1'd0;
             holding <= 1'd0;
-            next <= 2'd0;
+            next <= 3'd0;
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
+            used_0 <= 1'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
+            used_1 <= 1'd0;
             resident_2 <= 1'd0;
             ready_2 <= 1'd0;
             in_flight_2 <= 8'd0;
+            used_2 <= 1'd0;
             resident_3 <= 1'd0;
             ready_3 <= 1'd0;
             in_flight_3 <= 8'd0;
+            used_3 <= 1'd0;
+            resident_4 <= 1'd0;
+            ready_4 <= 1'd0;
+            in_flight_4 <= 8'd0;
+            used_4 <= 1'd0;
+            resident_5 <= 1'd0;
+            ready_5 <= 1'd0;
+            in_flight_5 <= 8'd0;
+            used_5 <= 1'd0;
+            resident_6 <= 1'd0;
+            ready_6 <= 1'd0;
+            in_flight_6 <= 8'd0;
+            used_6 <= 1'd0;
+            resident_7 <= 1'd0;
+            ready_7 <= 1'd0;
+            in_flight_7 <= 8'd0;
+            used_7 <= 1'd0;
             fill_valid <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
@@ -4685,6 +4865,14 @@ module splat_tile_cache (
             code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
+            used_0 <= (in_flight_0_both | (used_0 & ~next_is_0)) & ~close;
+            used_1 <= (in_flight_1_both | (used_1 & ~next_is_1)) & ~close;
+            used_2 <= (in_flight_2_both | (used_2 & ~next_is_2)) & ~close;
+            used_3 <= (in_flight_3_both | (used_3 & ~next_is_3)) & ~close;
+            used_4 <= (in_flight_4_both | (used_4 & ~next_is_4)) & ~close;
+            used_5 <= (in_flight_5_both | (used_5 & ~next_is_5)) & ~close;
+            used_6 <= (in_flight_6_both | (used_6 & ~next_is_6)) & ~close;
+            used_7 <= (in_flight_7_both | (used_7 & ~next_is_7)) & ~close;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
             if (mode_is_0 | next_tile) code <= code + 12'd1;
@@ -4694,7 +4882,7 @@ module splat_tile_cache (
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) next <= (next_is_3 | close) ? 2'd0 : (next + 2'd1);
+            if (start | skips | close) next <= (next_is_7 | close) ? 3'd0 : (next + 3'd1);
             if (start_and_next_is_0 | close) resident_0 <= start_and_next_is_0;
             if (ready_0_both | start_and_next_is_0 | finish) ready_0 <= ready_0_both;
             if (in_flight_0_both ^ in_flight_0_enable_both) begin
@@ -4714,6 +4902,26 @@ module splat_tile_cache (
             if (ready_3_both | start_and_next_is_3 | finish) ready_3 <= ready_3_both;
             if (in_flight_3_both ^ in_flight_3_enable_both) begin
                 in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            end
+            if (start_and_next_is_4 | close) resident_4 <= start_and_next_is_4;
+            if (ready_4_both | start_and_next_is_4 | finish) ready_4 <= ready_4_both;
+            if (in_flight_4_both ^ in_flight_4_enable_both) begin
+                in_flight_4 <= in_flight_4_both ? (in_flight_4 + 8'd1) : (in_flight_4 - 8'd1);
+            end
+            if (start_and_next_is_5 | close) resident_5 <= start_and_next_is_5;
+            if (ready_5_both | start_and_next_is_5 | finish) ready_5 <= ready_5_both;
+            if (in_flight_5_both ^ in_flight_5_enable_both) begin
+                in_flight_5 <= in_flight_5_both ? (in_flight_5 + 8'd1) : (in_flight_5 - 8'd1);
+            end
+            if (start_and_next_is_6 | close) resident_6 <= start_and_next_is_6;
+            if (ready_6_both | start_and_next_is_6 | finish) ready_6 <= ready_6_both;
+            if (in_flight_6_both ^ in_flight_6_enable_both) begin
+                in_flight_6 <= in_flight_6_both ? (in_flight_6 + 8'd1) : (in_flight_6 - 8'd1);
+            end
+            if (start_and_next_is_7 | close) resident_7 <= start_and_next_is_7;
+            if (ready_7_both | start_and_next_is_7 | finish) ready_7 <= ready_7_both;
+            if (in_flight_7_both ^ in_flight_7_enable_both) begin
+                in_flight_7 <= in_flight_7_both ? (in_flight_7 + 8'd1) : (in_flight_7 - 8'd1);
             end
         end
     end
@@ -4766,8 +4974,8 @@ module splat_tile_cache (
             read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
-            evict <= evict_either | (next_is_3 & resident_3);
-            evict_tile <= evict_tile_either | ({12{next_is_3}} & tile_3);
+            evict <= evict_either_3 | (next_is_7 & resident_7);
+            evict_tile <= evict_tile_either_3 | ({12{next_is_7}} & tile_7);
         end
         if (looked) load <= touched;
         if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
@@ -4785,10 +4993,22 @@ module splat_tile_cache (
         is_of_code_2 <= tile_2 == code;
         is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
         is_of_code_3 <= tile_3 == code;
+        is_of_copy_4 <= head_takes ? (tile_4 == in_queue_out_tile) : (is_of_copy_4 | start_and_next_is_4);
+        is_of_code_4 <= tile_4 == code;
+        is_of_copy_5 <= head_takes ? (tile_5 == in_queue_out_tile) : (is_of_copy_5 | start_and_next_is_5);
+        is_of_code_5 <= tile_5 == code;
+        is_of_copy_6 <= head_takes ? (tile_6 == in_queue_out_tile) : (is_of_copy_6 | start_and_next_is_6);
+        is_of_code_6 <= tile_6 == code;
+        is_of_copy_7 <= head_takes ? (tile_7 == in_queue_out_tile) : (is_of_copy_7 | start_and_next_is_7);
+        is_of_code_7 <= tile_7 == code;
         touched <= stored_touched;
         if (start_and_next_is_1) tile_1 <= head_tile;
         if (start_and_next_is_2) tile_2 <= head_tile;
         if (start_and_next_is_3) tile_3 <= head_tile;
+        if (start_and_next_is_4) tile_4 <= head_tile;
+        if (start_and_next_is_5) tile_5 <= head_tile;
+        if (start_and_next_is_6) tile_6 <= head_tile;
+        if (start_and_next_is_7) tile_7 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -4818,6 +5038,10 @@ module splat_tile_cache (
         slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
         slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
         slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
+        slot_4_retires_what_entered: assert (~in_flight_4_enable_both | |in_flight_4);
+        slot_5_retires_what_entered: assert (~in_flight_5_enable_both | |in_flight_5);
+        slot_6_retires_what_entered: assert (~in_flight_6_enable_both | |in_flight_6);
+        slot_7_retires_what_entered: assert (~in_flight_7_enable_both | |in_flight_7);
 `else
         if (!(~in_flight_0_enable_both | |in_flight_0)) begin
             $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
@@ -4830,6 +5054,18 @@ module splat_tile_cache (
         end
         if (!(~in_flight_3_enable_both | |in_flight_3)) begin
             $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_4_enable_both | |in_flight_4)) begin
+            $display("assertion failed: slot_4_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_5_enable_both | |in_flight_5)) begin
+            $display("assertion failed: slot_5_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_6_enable_both | |in_flight_6)) begin
+            $display("assertion failed: slot_6_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_7_enable_both | |in_flight_7)) begin
+            $display("assertion failed: slot_7_retires_what_entered in %m"); $stop;
         end
 `endif
     end
@@ -4922,26 +5158,62 @@ module stream_skid_w338 (
 `endif
 endmodule
 
-// One item in a register, at half rate.
-// width = 692
-module stream_half_buffer_w692 (
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 693
+// storage = distributed
+module stream_fifo_d16_w693_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [691:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [691:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [692:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [692:0] out_data
 );
-    reg full;
-    reg [691:0] item;
+    (* ram_style = "distributed" *)
+    reg [692:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    reg [692:0] item;
 
-    assign in_ready = ~full;
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_valid = full;
+    assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
     end
-    always @(posedge clk) if (in_ready) item <= in_data;
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
@@ -5046,21 +5318,21 @@ module splat_reorder (
     wire [689:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
     wire [689:0] caught_out_data;
-    wire heap_in_ready, heap_out_valid;
-    wire [11:0] heap_out_tile, heap_out_pointer;
-    wire heap_empty, returned_in_ready, returned_out_valid;
+    wire lists_in_ready, lists_out_valid;
+    wire [11:0] lists_out_tile, lists_out_pointer;
+    wire lists_empty, returned_in_ready, returned_out_valid;
     wire [11:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
     wire in_queue_out_end = in_queue_out_data[689];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
-    wire insert = offer & heap_in_ready;
+    wire insert = offer & lists_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire close = draining & (lists_empty & ~stage_valid & caught_in_ready);
     wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
-    wire leaving = heap_out_valid & advance;
+    wire leaving = lists_out_valid & advance;
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
@@ -5075,7 +5347,7 @@ module splat_reorder (
 
     memory_1w1r_unordered #(.WIDTH(677), .DEPTH(4096), .SLICE(4)) payloads (
         .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[688:12]),
-        .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
+        .read(advance), .read_address(lists_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w690 in_queue (
@@ -5103,16 +5375,16 @@ module splat_reorder (
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
-    splat_heap heap (
-        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+    splat_lists lists (
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(lists_in_ready), .in_tile(in_queue_out_tile),
         .in_pointer(free),
-        .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
-        .out_pointer(heap_out_pointer),
-        .empty(heap_empty)
+        .out_valid(lists_out_valid), .out_ready(advance), .out_tile(lists_out_tile),
+        .out_pointer(lists_out_pointer),
+        .empty(lists_empty)
     );
 
     stream_fifo_d4096_w12 returned (
-        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(lists_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -5131,7 +5403,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (~free_valid) free <= all_used ? returned_out_data : fresh[11:0];
-        if (advance) stage_tile <= heap_out_tile;
+        if (advance) stage_tile <= lists_out_tile;
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -5205,1195 +5477,262 @@ module stream_fifo_d4096_w12 (
 `endif
 endmodule
 
-// Pipelined heap that orders splat copies by tile, then by arrival.
-// levels = 12
-// interval = 2
-// sequence_bits = 16
-module splat_heap (
+// Lists of splat copies, one for each tile; some are served in turn.
+// pointers = 4096
+// tiles_in_turn = 4
+module splat_lists (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready,  // Entries in any order.
+    input  wire in_valid, output wire in_ready,  // Entries in any order; no pointer comes again before it has left.
     input  wire [11:0] in_tile,  // Tile index.
     input  wire [11:0] in_pointer,  // Place of the payload.
-    output wire out_valid, input wire out_ready,  // Entries in order.
+    output wire out_valid, input wire out_ready,  // Entries of a tile in order of arrival, those of some tiles in turn.
     output wire [11:0] out_tile,  // Tile index.
     output wire [11:0] out_pointer,  // Place of the payload.
     output wire empty  // It holds no entry.
 );
-    reg lower;
-    reg [11:0] count;
-    reg [15:0] arrival;
-    reg [11:0] alive_even, alive_odd;
-    reg occupied, full, fresh_epoch_blocked;
-    reg [11:0] current;
-    reg lap, last_epoch;
-    reg [11:0] newcomer_tile;
+    reg clearing;
+    reg [11:0] cleared;
+    reg second, may_open, opening;
+    reg [11:0] opened_tile;  // Tile index.
+    reg [11:0] opened_pointer;  // Place of the payload.
+    reg appending;
+    reg [11:0] appended_tile;  // Tile index.
+    reg [11:0] appended_pointer;  // Place of the payload.
+    wire [12:0] found;
+    reg meets_opened, meets_appended, linking, follows;
+    reg [11:0] last;
+    reg joins;
+    reg [11:0] opened_last;
+    reg turn_0_valid, turn_1_valid, turn_2_valid, turn_3_valid;
+    reg [35:0] turn_0, turn_1, turn_2, turn_3;
+    reg goes_on;
+    reg [11:0] going_tile;  // Tile index.
+    reg [11:0] going_last;  // The pointer of its last one.
+    wire [11:0] link;
+    reg [11:0] following;
+    reg [12:0] count;
 
     wire out_queue_in_ready;
     wire [23:0] out_queue_out_data;
-    wire [40:0] stage_0_root;
-    wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
-    wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
-    wire [40:0] stage_0_below_entry;
-    wire [28:0] stage_0_below_sibling;
-    wire [1:0] stage_0_below_row;
-    wire [40:0] stage_2_promoted_entry;
-    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
-    wire [1:0] stage_2_promoted_node;
-    wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
-    wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
-    wire [40:0] stage_2_below_entry;
-    wire [28:0] stage_2_below_sibling;
-    wire [3:0] stage_2_below_row;
-    wire [40:0] stage_4_promoted_entry;
-    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
-    wire [3:0] stage_4_promoted_node;
-    wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
-    wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
-    wire [40:0] stage_4_below_entry;
-    wire [28:0] stage_4_below_sibling;
-    wire [5:0] stage_4_below_row;
-    wire [40:0] stage_6_promoted_entry;
-    wire stage_6_promoted_exists, stage_6_promoted_ahead, stage_6_promoted_right, stage_6_promoted_childless;
-    wire [5:0] stage_6_promoted_node;
-    wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
-    wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
-    wire [40:0] stage_6_below_entry;
-    wire [28:0] stage_6_below_sibling;
-    wire [7:0] stage_6_below_row;
-    wire [40:0] stage_8_promoted_entry;
-    wire stage_8_promoted_exists, stage_8_promoted_ahead, stage_8_promoted_right, stage_8_promoted_childless;
-    wire [7:0] stage_8_promoted_node;
-    wire stage_8_below_valid, stage_8_below_hole, stage_8_below_carry, stage_8_below_right;
-    wire stage_8_below_left_exists, stage_8_below_right_exists, stage_8_below_follows;
-    wire [40:0] stage_8_below_entry;
-    wire [28:0] stage_8_below_sibling;
-    wire [9:0] stage_8_below_row;
-    wire [40:0] stage_10_promoted_entry;
-    wire stage_10_promoted_exists, stage_10_promoted_ahead, stage_10_promoted_right;
-    wire stage_10_promoted_childless;
-    wire [9:0] stage_10_promoted_node;
+    wire beginnings_in_ready, beginnings_out_valid;
+    wire [23:0] beginnings_out_data;
+    wire first_in_ready, first_out_valid;
+    wire [23:0] first_out_data;
 
-    wire begins = ~lower;
-    wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
-    wire push = ready & in_valid;
-    wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire push_and_not_arrival_15 = push & ~arrival[15];
-    wire push_and_arrival_15 = push & arrival[15];
+    wire [11:0] first_out_tile = first_out_data[23:12];
+    wire leaves = second & turn_0_valid & out_queue_in_ready;
+    wire begins = linking & ~follows;
+    wire opens = may_open & ~second;
+    wire may_open_either = (turn_0_valid & (turn_0[35:24] == first_out_tile)) | (turn_1_valid & (turn_1[35:24] == first_out_tile));
+    wire may_open_either_2 = may_open_either | (turn_2_valid & (turn_2[35:24] == first_out_tile));
+    wire may_open_either_3 = may_open_either_2 | (turn_3_valid & (turn_3[35:24] == first_out_tile));
+    wire may_open_either_4 = may_open_either_3 | (goes_on & (going_tile == first_out_tile)) | (turn_3_valid | (goes_on & turn_2_valid));
+    wire [11:0] first_out_pointer = first_out_data[11:0];
+    wire appends = second & in_valid;
+    wire turn_0_valid_choice = leaves ? turn_1_valid : turn_0_valid;
+    wire turn_0_choice = second ? goes_on : joins;
+    wire turn_0_both = turn_0_choice & ~turn_0_valid_choice;
+    wire turn_1_valid_choice = leaves ? turn_2_valid : turn_1_valid;
+    wire turn_1_valid_both = turn_0_choice & (turn_0_valid_choice & ~turn_1_valid_choice);
+    wire turn_2_valid_choice = leaves ? turn_3_valid : turn_2_valid;
+    wire turn_2_valid_both = turn_0_choice & (turn_1_valid_choice & ~turn_2_valid_choice);
+    wire turn_3_valid_choice = leaves ? 1'd0 : turn_3_valid;
+    wire turn_3_valid_both = turn_0_choice & (turn_2_valid_choice & ~turn_3_valid_choice);
+    wire [35:0] turn_3_bits = {
+        second ? going_tile : opened_tile, second ? following : opened_pointer,
+        second ? going_last : opened_last
+    };
 
-    assign in_ready = ready;
+    assign in_ready = second;
     assign {out_tile, out_pointer} = out_queue_out_data;
     assign empty = ~(|count | out_valid);
 
+    memory_1w1r_unordered #(.WIDTH(13), .DEPTH(4096)) ends (
+        .clk(clk), .write(clearing | (appending | opening)),
+        .write_address(clearing ? cleared : appending ? appended_tile : opened_tile),
+        .write_data({appending, appended_pointer}),
+        .read(1'd1), .read_address(second ? in_tile : first_out_tile), .read_data(found)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(12), .DEPTH(4096)) links (
+        .clk(clk), .write(linking & follows), .write_address(last), .write_data(appended_pointer),
+        .read(second), .read_address(turn_0[23:12]), .read_data(link)
+    );
+
     stream_skid_w24 out_queue (
-        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
-        .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
+        .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(out_queue_in_ready), .in_data(turn_0[35:12]),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
-        .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(29'd0),
-        .newcomer_lap(newcomer_lap),
-        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
-        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
-        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
-        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
-        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
-        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
-        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
+    stream_fifo_d4096_w24 beginnings (
+        .clk(clk), .rst(rst), .in_valid(begins), .in_ready(beginnings_in_ready),
+        .in_data({appended_tile, appended_pointer}),
+        .out_valid(beginnings_out_valid), .out_ready(first_in_ready), .out_data(beginnings_out_data)
     );
 
-    splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
-        .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
-        .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
-        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
-        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
-        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
-        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
-        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
-        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
-        .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
-        .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
-        .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry), .below_sibling(stage_2_below_sibling),
-        .below_row(stage_2_below_row)
-    );
-
-    splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
-        .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
-        .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
-        .below_promoted_entry(stage_6_promoted_entry), .below_promoted_exists(stage_6_promoted_exists),
-        .below_promoted_ahead(stage_6_promoted_ahead), .below_promoted_right(stage_6_promoted_right),
-        .below_promoted_childless(stage_6_promoted_childless), .below_promoted_node(stage_6_promoted_node),
-        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
-        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
-        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node),
-        .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
-        .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
-        .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry), .below_sibling(stage_4_below_sibling),
-        .below_row(stage_4_below_row)
-    );
-
-    splat_heap_stage_l6 stage_6 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
-        .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
-        .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry), .step_sibling(stage_4_below_sibling), .step_row(stage_4_below_row),
-        .below_promoted_entry(stage_8_promoted_entry), .below_promoted_exists(stage_8_promoted_exists),
-        .below_promoted_ahead(stage_8_promoted_ahead), .below_promoted_right(stage_8_promoted_right),
-        .below_promoted_childless(stage_8_promoted_childless), .below_promoted_node(stage_8_promoted_node),
-        .promoted_entry(stage_6_promoted_entry), .promoted_exists(stage_6_promoted_exists),
-        .promoted_ahead(stage_6_promoted_ahead), .promoted_right(stage_6_promoted_right),
-        .promoted_childless(stage_6_promoted_childless), .promoted_node(stage_6_promoted_node),
-        .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
-        .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
-        .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry), .below_sibling(stage_6_below_sibling),
-        .below_row(stage_6_below_row)
-    );
-
-    splat_heap_stage_l8 stage_8 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
-        .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
-        .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry), .step_sibling(stage_6_below_sibling), .step_row(stage_6_below_row),
-        .below_promoted_entry(stage_10_promoted_entry), .below_promoted_exists(stage_10_promoted_exists),
-        .below_promoted_ahead(stage_10_promoted_ahead), .below_promoted_right(stage_10_promoted_right),
-        .below_promoted_childless(stage_10_promoted_childless), .below_promoted_node(stage_10_promoted_node),
-        .promoted_entry(stage_8_promoted_entry), .promoted_exists(stage_8_promoted_exists),
-        .promoted_ahead(stage_8_promoted_ahead), .promoted_right(stage_8_promoted_right),
-        .promoted_childless(stage_8_promoted_childless), .promoted_node(stage_8_promoted_node),
-        .below_valid(stage_8_below_valid), .below_hole(stage_8_below_hole), .below_carry(stage_8_below_carry),
-        .below_right(stage_8_below_right), .below_left_exists(stage_8_below_left_exists),
-        .below_right_exists(stage_8_below_right_exists), .below_follows(stage_8_below_follows),
-        .below_entry(stage_8_below_entry), .below_sibling(stage_8_below_sibling),
-        .below_row(stage_8_below_row)
-    );
-
-    splat_heap_stage_l10 stage_10 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
-        .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
-        .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
-        .step_entry(stage_8_below_entry), .step_sibling(stage_8_below_sibling), .step_row(stage_8_below_row),
-        .promoted_entry(stage_10_promoted_entry), .promoted_exists(stage_10_promoted_exists),
-        .promoted_ahead(stage_10_promoted_ahead), .promoted_right(stage_10_promoted_right),
-        .promoted_childless(stage_10_promoted_childless), .promoted_node(stage_10_promoted_node)
+    stream_half_buffer_w24 first (
+        .clk(clk), .rst(rst), .in_valid(beginnings_out_valid), .in_ready(first_in_ready),
+        .in_data(beginnings_out_data),
+        .out_valid(first_out_valid), .out_ready(opens), .out_data(first_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            lower <= 1'd0;
-            count <= 12'd0;
-            arrival <= 16'd0;
-            alive_even <= 12'd0;
-            alive_odd <= 12'd0;
-            occupied <= 1'd0;
-            full <= 1'd0;
-            fresh_epoch_blocked <= 1'd0;
-            current <= 12'd0;
-            lap <= 1'd0;
+            clearing <= 1'd1;
+            cleared <= 12'd0;
+            second <= 1'd0;
+            may_open <= 1'd0;
+            opening <= 1'd0;
+            appending <= 1'd0;
+            linking <= 1'd0;
+            joins <= 1'd0;
+            turn_0_valid <= 1'd0;
+            turn_1_valid <= 1'd0;
+            turn_2_valid <= 1'd0;
+            turn_3_valid <= 1'd0;
+            goes_on <= 1'd0;
+            count <= 13'd0;
         end else begin
-            lower <= begins;
-            occupied <= |count;
-            full <= &count;
-            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-            if (push ^ pop) count <= push ? (count + 12'd1) : (count - 12'd1);
-            if (push) arrival <= arrival + 16'd1;
-            if (push_and_not_arrival_15 ^ (pop & ~stage_0_root[27])) begin
-                alive_even <= push_and_not_arrival_15 ? (alive_even + 12'd1) : (alive_even - 12'd1);
+            if (&cleared) clearing <= 1'd0;
+            if (clearing) cleared <= cleared + 12'd1;
+            second <= ~(clearing | second);
+            opening <= opens;
+            appending <= appends;
+            linking <= appending;
+            joins <= opening;
+            turn_0_valid <= turn_0_valid_choice | turn_0_both;
+            turn_1_valid <= turn_1_valid_choice | turn_1_valid_both;
+            turn_2_valid <= turn_2_valid_choice | turn_2_valid_both;
+            turn_3_valid <= turn_3_valid_choice | turn_3_valid_both;
+            if (second) begin
+                may_open <= first_out_valid & ~opening & ~may_open_either_4;
+                goes_on <= leaves & (turn_0[23:12] != turn_0[11:0]);
             end
-            if (push_and_arrival_15 ^ (pop & stage_0_root[27])) begin
-                alive_odd <= push_and_arrival_15 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
-            end
-            if (pop) begin
-                current <= stage_0_root[39:28];
-                lap <= stage_0_root[40];
-            end
+            if (appends ^ leaves) count <= appends ? (count + 13'd1) : (count - 13'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) last_epoch <= arrival[15];
-        newcomer_tile <= in_tile;
+        if (opens) begin
+            opened_tile <= first_out_tile;
+            opened_pointer <= first_out_pointer;
+        end
+        if (appends) begin
+            appended_tile <= in_tile;
+            appended_pointer <= in_pointer;
+        end
+        meets_opened <= opening & (in_tile == opened_tile);
+        meets_appended <= appending & (first_out_tile == appended_tile);
+        if (appending) begin
+            follows <= found[12] & ~meets_opened;
+            last <= found[11:0];
+        end
+        if (opening) opened_last <= meets_appended ? appended_pointer : found[11:0];
+        if (leaves | turn_0_both) turn_0 <= turn_0_both ? turn_3_bits : turn_1;
+        if (leaves | turn_1_valid_both) turn_1 <= turn_1_valid_both ? turn_3_bits : turn_2;
+        if (leaves | turn_2_valid_both) turn_2 <= turn_2_valid_both ? turn_3_bits : turn_3;
+        if (leaves | turn_3_valid_both) turn_3 <= turn_3_bits;
+        if (second) begin
+            going_tile <= turn_0[35:24];
+            going_last <= turn_0[11:0];
+        end
+        if (~second) following <= link;
     end
 
-    wire _unused = &{1'b0, stage_0_root[26:12]};
+    wire _unused = &{1'b0, beginnings_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_list_that_begins_has_room: assert (~begins | beginnings_in_ready);
+        a_list_that_waits_has_an_end: assert (~(opening & ~meets_appended) | found[12]);
+`else
+        if (!(~begins | beginnings_in_ready)) begin
+            $display("assertion failed: a_list_that_begins_has_room in %m"); $stop;
+        end
+        if (!(~(opening & ~meets_appended) | found[12])) begin
+            $display("assertion failed: a_list_that_waits_has_an_end in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
-// Two neighboring levels of the pipelined heap.
-// level = 10
-// levels = 12
-// interval = 2
-module splat_heap_stage_l10 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [9:0] step_row,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [9:0] promoted_node
+// One item in a register, at half rate.
+// width = 24
+module stream_half_buffer_w24 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [23:0] out_data
 );
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below, compared_left_count, write_back_valid, write_back_hole, write_back_carry;
-    reg write_back_existed, write_back_ahead, write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below, write_back_left_count;
-    reg [43:0] stored;
-    reg [10:0] row, row_before;
-    reg [11:0] last_row, last_row_before;
-    wire [43:0] left_shown, right_shown;
+    reg full;
+    reg [23:0] item;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_sibling_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_sibling_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire promoted_childless_inverted = ~(chosen_left_count | chosen_right_below);
-    wire [11:0] side_choice = lower ? last_row_before : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire [40:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire is_first_choice = lower ? 1'd0 : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? 1'd0 : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [43:0] node_to_store = {
-        entry_to_store, node_to_store_unequal, node_to_store_either,
-        write_back_left_count + node_to_store_either_2
-    };
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? (chosen_left_count | ~lower) : step_right;
-    wire [11:0] next_row = {row, goes_right};
-    wire [10:0] row_choice = lower ? {1'd0, step_row} : next_row[10:0];
-    wire same_side = goes_right ^ ~side;
-    wire [28:0] sibling = compared_sibling_stored ? stored[43:15] : compared_sibling;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[43:3] : left_shown[43:3];
-    wire before_sibling_in_order = before_sibling_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
+    assign in_ready = ~full;
 
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[9:0];
+    assign out_valid = full;
+    assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[11:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
+    always @(posedge clk) begin
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
+    end
+    always @(posedge clk) if (in_ready) item <= in_data;
+endmodule
 
-    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(2048)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[11:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
+// Queue in a memory with a registered output.
+// depth = 4096
+// width = 24
+module stream_fifo_d4096_w24 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [23:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [23:0] out_data
+);
+    reg [12:0] held, waiting;
+    reg [11:0] write_address, read_address;
+    wire [23:0] item;
+
+    wire has_room = ~held[12];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
+
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(24), .DEPTH(4096)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
+            held <= 13'd0;
+            waiting <= 13'd0;
+            write_address <= 12'd0;
+            read_address <= 12'd0;
+            out_valid <= 1'd0;
         end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            held <= (held + {12'd0, push}) - {12'd0, pop};
+            waiting <= (waiting + {12'd0, push}) - {12'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 12'd1;
+            if (fetch) read_address <= read_address + 12'd1;
         end
     end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
-        compared_entry <= goes_right ? right_shown[43:3] : left_shown[43:3];
-        compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
-        compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
-        write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & compared_exists;
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-        last_row <= next_row;
-        last_row_before <= last_row;
-    end
 
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 8
-// levels = 12
-// interval = 2
-module splat_heap_stage_l8 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [7:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [9:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [7:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [9:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [2:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [2:0] write_back_left_count;
-    reg [45:0] stored;
-    reg [8:0] row, row_before;
-    wire [45:0] left_shown, right_shown;
-
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire below_right_both = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[45:17] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [9:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [9:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
-    wire [45:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [8:0] row_choice = lower ? {1'd0, step_row} : next_row[8:0];
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[45:5] : left_shown[45:5];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[7:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[9:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(512)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[9:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 13'h1000);
+        held_is_waiting_and_shown: assert (held == (waiting + {12'd0, out_valid}));
+`else
+        if (!(held <= 13'h1000)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {12'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
-        compared_entry <= goes_right ? right_shown[45:5] : left_shown[45:5];
-        compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
-        compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {3{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 6
-// levels = 12
-// interval = 2
-module splat_heap_stage_l6 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [5:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [7:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [5:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [7:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [4:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [4:0] write_back_left_count;
-    reg [47:0] stored;
-    reg [6:0] row, row_before;
-    wire [47:0] left_shown, right_shown;
-
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire below_right_both = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[47:19] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [7:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [7:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
-    wire [47:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [6:0] row_choice = lower ? {1'd0, step_row} : next_row[6:0];
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[5:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[7:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(48), .DEPTH(128)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[7:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-        end
-    end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
-        compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
-        compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
-        compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {5{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 4
-// levels = 12
-// interval = 2
-module splat_heap_stage_l4 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [3:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [5:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [5:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [6:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [6:0] write_back_left_count;
-    reg [49:0] stored;
-    reg [4:0] row, row_before;
-    wire [49:0] left_shown, right_shown;
-
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
-    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire below_right_both = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[49:21] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [5:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [5:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [6:0] node_to_store_sum = write_back_left_count + {{6{node_to_store_both_4}}, node_to_store_either_2};
-    wire [49:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [4:0] row_choice = lower ? {1'd0, step_row} : next_row[4:0];
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[3:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[5:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(50), .DEPTH(32)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[5:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-        end
-    end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[8] : left_shown[8];
-        compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
-        compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
-        compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[8] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {7{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 2
-// levels = 12
-// interval = 2
-module splat_heap_stage_l2 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling, input wire [1:0] step_row,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
-    output wire [40:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [3:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [8:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [8:0] write_back_left_count;
-    reg [51:0] stored;
-    reg [2:0] row, row_before;
-    wire [51:0] left_shown, right_shown;
-
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire compared_carried_40_is_lap = compared_carried[40] == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] sibling_stays_bits = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? compared_carried_40_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire below_right_both = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] sibling = compared_sibling_stored ? stored[51:23] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [3:0] next_row = {row, goes_right};
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [8:0] node_to_store_sum = write_back_left_count + {{8{node_to_store_both_4}}, node_to_store_either_2};
-    wire [51:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [2:0] row_choice = lower ? {1'd0, step_row} : next_row[2:0];
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (compared_carried[40] ^ sibling[28]) ? compared_carried_40_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[1:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[3:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(52), .DEPTH(8)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[3:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-        end
-    end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[10] : left_shown[10];
-        compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
-        compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
-        compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[10] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {9{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 0
-// levels = 12
-// interval = 2
-module splat_heap_stage_l0 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [40:0] step_entry, input wire [28:0] step_sibling,
-    input  wire newcomer_lap,
-    input  wire [40:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
-    output wire [40:0] root,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [40:0] below_entry, output wire [28:0] below_sibling, output wire [1:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [40:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [28:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [28:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg [10:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [40:0] write_back_entry;
-    reg write_back_right_below;
-    reg [10:0] write_back_left_count;
-    reg [53:0] stored;
-    reg row, row_before;
-    wire [53:0] left_shown, right_shown;
-
-    wire newer_choice = lower ? compared_follows : step_follows;
-    wire newer = newer_choice & write_back_valid;
-    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[40];
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
-    wire [27:0] before_chosen_bits = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] before_chosen_bits_2 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (before_chosen_choice ^ chosen_entry[40]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] write_back_entry_bits = {before_chosen_choice, compared_carried[39:0]};
-    wire [40:0] first = carried_first ? write_back_entry_bits : chosen_entry;
-    wire [40:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire below_right_both = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
-    wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
-    wire [40:0] below_entry_choice = carried_first ? chosen_entry : write_back_entry_bits;
-    wire [28:0] sibling = compared_sibling_stored ? stored[53:25] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire [27:0] sibling_stays_bits = {
-        compared_parent_sibling[27:16], compared_parent_sibling[15] == last_epoch,
-        compared_parent_sibling[14:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[28] ^ chosen_entry[40]) ? (compared_parent_sibling[28] == lap) : (sibling_stays_bits < before_chosen_bits_2);
-    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [1:0] next_row = {row, goes_right};
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [10:0] node_to_store_sum = write_back_left_count + {{10{node_to_store_both_4}}, node_to_store_either_2};
-    wire [53:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire row_choice = lower ? 1'd0 : next_row[0];
-    wire same_side = goes_right ^ ~side;
-    wire [40:0] compared_sibling_choice = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[27:16], sibling[15] == last_epoch, sibling[14:0]};
-    wire before_sibling = (before_chosen_choice ^ sibling[28]) ? before_chosen_choice_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign root = newer ? entry_to_store : right_shown[53:13];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(54), .DEPTH(2)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-        end
-    end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= newer_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[40:12];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[12] : left_shown[12];
-        compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
-        compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
-        compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[12] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {11{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[11:0]};
+`endif
 endmodule
 
 // Queue of two in registers.

@@ -109,34 +109,40 @@ module splat_top (
     wire [3:0] tile_cache_out_first_sum, tile_cache_out_last_sum, tile_cache_out_first_difference;
     wire [3:0] tile_cache_out_last_difference;
     wire [7:0] tile_cache_out_tile;
-    wire tile_cache_out_slot, tile_cache_pixel_valid, tile_cache_pixel_end;
+    wire [1:0] tile_cache_out_slot;
+    wire tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [7:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
     wire [51:0] tile_cache_pixel_depth;
     wire [15:0] tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1, tile_cache_pixel_attribute_2;
-    wire [1:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid, tile_cache_fill_slot;
+    wire [3:0] tile_cache_slot_ready;
+    wire tile_cache_fill_valid;
+    wire [1:0] tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
     wire [15:0] tile_cache_fill_attribute_0, tile_cache_fill_attribute_1, tile_cache_fill_attribute_2;
-    wire tile_cache_drain_enable, tile_cache_drain_slot;
+    wire tile_cache_drain_enable;
+    wire [1:0] tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
     wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
-    wire rasterizer_out_inside, rasterizer_out_slot;
+    wire rasterizer_out_inside;
+    wire [1:0] rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
     wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
     wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
     wire weighting_in_ready, weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside;
-    wire weighting_out_slot;
+    wire [1:0] weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
     wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
     wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
-    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
+    wire accumulator_in_ready, accumulator_retire_valid;
+    wire [1:0] accumulator_retire_slot;
+    wire accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
     wire [15:0] accumulator_drain_attribute_0, accumulator_drain_attribute_1, accumulator_drain_attribute_2;
@@ -824,7 +830,7 @@ module stream_skid_w87 (
 endmodule
 
 // Blends samples into the pixels of the tile slots.
-// slots = 2
+// slots = 4
 // stages = 7
 module splat_accumulator (
     input  wire clk, input wire rst,
@@ -832,7 +838,7 @@ module splat_accumulator (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [1:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [39:0] in_weighted_depth,  // Weighted depth.
@@ -841,12 +847,12 @@ module splat_accumulator (
     input  wire [15:0] in_attribute_0,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_1,  // Weighted continuous attributes, and cardinal ones as they are.
     input  wire [15:0] in_attribute_2,  // Weighted continuous attributes, and cardinal ones as they are.
-    input  wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    input  wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
     output reg  retire_valid,  // A copy is done with.
-    output reg  retire_slot,  // Slot of the tile cache.
+    output reg  [1:0] retire_slot,  // Slot of the tile cache.
     output reg  frame_end,  // The frame is done with.
     input  wire fill_valid,  // Write to a slot.
-    input  wire fill_slot,  // Slot of the tile cache.
+    input  wire [1:0] fill_slot,  // Slot of the tile cache.
     input  wire [5:0] fill_pixel,  // Pixel of the tile.
     input  wire [27:0] fill_weight,  // Sum of weights.
     input  wire [51:0] fill_depth,  // Sum of weighted depths.
@@ -854,7 +860,7 @@ module splat_accumulator (
     input  wire [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     input  wire drain_enable,  // Read of a slot.
-    input  wire drain_slot,  // Slot of the tile cache.
+    input  wire [1:0] drain_slot,  // Slot of the tile cache.
     input  wire [5:0] drain_pixel,  // Pixel of the tile.
     output wire [27:0] drain_weight,  // Sum of weights.
     output wire [51:0] drain_depth,  // Sum of weighted depths.
@@ -865,27 +871,35 @@ module splat_accumulator (
     output reg  event_hazard,  // The accumulator waited for an earlier sample of the same pixel.
     output reg  event_slot_wait  // The accumulator waited for its tile to arrive in the cache.
 );
-    reg valid_1, inside_1, last_1, slot_1;
+    reg valid_1, inside_1, last_1;
+    reg [1:0] slot_1;
     reg [5:0] pixel_1;
-    reg valid_2, inside_2, last_2, slot_2;
+    reg valid_2, inside_2, last_2;
+    reg [1:0] slot_2;
     reg [5:0] pixel_2;
-    reg valid_3, inside_3, last_3, slot_3;
+    reg valid_3, inside_3, last_3;
+    reg [1:0] slot_3;
     reg [5:0] pixel_3;
-    reg valid_4, inside_4, last_4, slot_4;
+    reg valid_4, inside_4, last_4;
+    reg [1:0] slot_4;
     reg [5:0] pixel_4;
-    reg valid_5, inside_5, last_5, slot_5;
+    reg valid_5, inside_5, last_5;
+    reg [1:0] slot_5;
     reg [5:0] pixel_5;
-    reg valid_6, inside_6, last_6, slot_6;
+    reg valid_6, inside_6, last_6;
+    reg [1:0] slot_6;
     reg [5:0] pixel_6;
-    reg valid_7, inside_7, last_7, slot_7;
+    reg valid_7, inside_7, last_7;
+    reg [1:0] slot_7;
     reg [5:0] pixel_7;
-    reg valid_8, inside_8, last_8, slot_8;
+    reg valid_8, inside_8, last_8;
+    reg [1:0] slot_8;
     reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;  // Closes the frame.
     reg head_last;  // Closes its copy.
     reg head_inside;  // Lies inside the splat.
-    reg head_slot;  // Slot of the tile cache.
+    reg [1:0] head_slot;  // Slot of the tile cache.
     reg [5:0] head_pixel;  // Pixel of the tile.
     reg [15:0] head_weight;  // Kernel weight.
     reg [39:0] head_weighted_depth;  // Weighted depth.
@@ -899,8 +913,12 @@ module splat_accumulator (
     wire [127:0] slot_0_read;
     reg [127:0] slot_0_pixel;
     wire [127:0] slot_1_read;
-    reg [127:0] slot_1_pixel, stored;
-    reg drained_slot;
+    reg [127:0] slot_1_pixel;
+    wire [127:0] slot_2_read;
+    reg [127:0] slot_2_pixel;
+    wire [127:0] slot_3_read;
+    reg [127:0] slot_3_pixel, stored;
+    reg [1:0] drained_slot;
     reg [15:0] sample_1_weight;  // Kernel weight.
     reg [39:0] sample_1_weighted_depth;  // Weighted depth.
     reg [23:0] sample_1_depth_low;  // Near end of the depth band.
@@ -932,16 +950,16 @@ module splat_accumulator (
     reg [15:0] attribute_2_6, attribute_2_7, attribute_2_8;
 
     wire places_out_valid;
-    wire [9:0] places_out_data;
+    wire [10:0] places_out_data;
     wire samples_in_ready, samples_out_valid;
     wire [151:0] samples_out_data;
     wire depth_test_fail, depth_test_pass;
     wire [15:0] add_attribute_0_y, add_attribute_1_y, add_attribute_2_y;
 
-    wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
-    wire filling_0 = fill_valid & ~fill_slot;
+    wire [127:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
+    wire filling_0 = fill_valid & (fill_slot == 2'd0);
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [127:0] slot_1_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [127:0] slot_3_pixels_data_bits = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
     wire [15:0] result_bits = {add_attribute_0_y[15], overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0]};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
@@ -957,19 +975,23 @@ module splat_accumulator (
     wire may_issue_inside = head_valid_and_not_head_end & head_inside;
     wire on_the_way = |collisions;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire slot_0_pixel_enable_both = drain_enable & ~drain_slot;
-    wire filling_1 = fill_valid & fill_slot;
-    wire drain_enable_and_drain_slot = drain_enable & drain_slot;
+    wire slot_0_pixel_enable_both = drain_enable & (drain_slot == 2'd0);
+    wire filling_1 = fill_valid & (fill_slot == 2'd1);
+    wire slot_1_pixel_enable_both = drain_enable & (drain_slot == 2'd1);
+    wire filling_2 = fill_valid & (fill_slot == 2'd2);
+    wire slot_2_pixel_enable_both = drain_enable & (drain_slot == 2'd2);
+    wire filling_3 = fill_valid & (fill_slot == 2'd3);
+    wire slot_3_pixel_enable_both = drain_enable & (drain_slot == 2'd3);
     wire slot_wait = may_issue_inside & ~arrived;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = head_valid_and_not_head_end & ~(slot_wait | hazard);
     wire issue_end_either = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6 | valid_7;
     wire issue_end = head_valid & head_end & ~(issue_end_either | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
-    wire places_out_end = places_out_data[9];
-    wire places_out_last = places_out_data[8];
-    wire places_out_inside = places_out_data[7];
-    wire places_out_slot = places_out_data[6];
+    wire places_out_end = places_out_data[10];
+    wire places_out_last = places_out_data[9];
+    wire places_out_inside = places_out_data[8];
+    wire [1:0] places_out_slot = places_out_data[7:6];
     wire [5:0] places_out_pixel = places_out_data[5:0];
     wire [15:0] samples_out_weight = samples_out_data[151:136];
     wire [39:0] samples_out_weighted_depth = samples_out_data[135:96];
@@ -978,36 +1000,54 @@ module splat_accumulator (
     wire [15:0] samples_out_attribute_0 = samples_out_data[47:32];
     wire [15:0] samples_out_attribute_1 = samples_out_data[31:16];
     wire [15:0] samples_out_attribute_2 = samples_out_data[15:0];
-    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire collisions_both = head_valid & (head_inside & ~head_end) & (places_out_data[7:0] == {head_slot, head_pixel});
     wire [7:0] collisions_bits = {
-        inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
-        inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
-        inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
-        inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
-        inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
-        inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
-        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), collisions_both
+        inside_7 & (places_out_data[7:0] == {slot_7, pixel_7}),
+        inside_6 & (places_out_data[7:0] == {slot_6, pixel_6}),
+        inside_5 & (places_out_data[7:0] == {slot_5, pixel_5}),
+        inside_4 & (places_out_data[7:0] == {slot_4, pixel_4}),
+        inside_3 & (places_out_data[7:0] == {slot_3, pixel_3}),
+        inside_2 & (places_out_data[7:0] == {slot_2, pixel_2}),
+        inside_1 & (places_out_data[7:0] == {slot_1, pixel_1}), collisions_both
     };
-    wire [1:0] arrived_shifted = slot_ready >> places_out_slot;
-    wire [1:0] arrived_shifted_2 = slot_ready >> head_slot;
+    wire [3:0] arrived_shifted = slot_ready >> places_out_slot;
+    wire [3:0] arrived_shifted_2 = slot_ready >> head_slot;
 
     assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
 
     memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_0_pixels (
-        .clk(clk), .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
-        .write_data(filling_0 ? slot_1_pixels_data_bits : result),
-        .read(slot_ready[0] ? (issue_inside & ~head_slot) : slot_0_pixel_enable_both),
+        .clk(clk), .write(filling_0 | (writes & (slot_8 == 2'd0))),
+        .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : slot_0_pixel_enable_both),
         .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
     );
 
     memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_1_pixels (
-        .clk(clk), .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
-        .write_data(filling_1 ? slot_1_pixels_data_bits : result),
-        .read(slot_ready[1] ? (issue_inside & head_slot) : drain_enable_and_drain_slot),
+        .clk(clk), .write(filling_1 | (writes & (slot_8 == 2'd1))),
+        .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : slot_1_pixel_enable_both),
         .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
     );
 
-    stream_fifo_d64_w10_distributed places (
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_2_pixels (
+        .clk(clk), .write(filling_2 | (writes & (slot_8 == 2'd2))),
+        .write_address(filling_2 ? fill_pixel : pixel_8),
+        .write_data(filling_2 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : slot_2_pixel_enable_both),
+        .read_address(slot_ready[2] ? head_pixel : drain_pixel), .read_data(slot_2_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(128), .DEPTH(64)) slot_3_pixels (
+        .clk(clk), .write(filling_3 | (writes & (slot_8 == 2'd3))),
+        .write_address(filling_3 ? fill_pixel : pixel_8),
+        .write_data(filling_3 ? slot_3_pixels_data_bits : result),
+        .read(slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : slot_3_pixel_enable_both),
+        .read_address(slot_ready[3] ? head_pixel : drain_pixel), .read_data(slot_3_read)
+    );
+
+    stream_fifo_d64_w11_distributed places (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
         .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
@@ -1117,7 +1157,7 @@ module splat_accumulator (
         pixel_8 <= pixel_7;
         collisions <= head_takes ? collisions_bits : (collisions << 1);
         arrived <= head_takes ? arrived_shifted[0] : arrived_shifted_2[0];
-        stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
+        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1193,11 +1233,13 @@ module splat_accumulator (
             head_attribute_2 <= samples_out_attribute_2;
         end
         if (slot_ready[0] | slot_0_pixel_enable_both) slot_0_pixel <= slot_0_read;
-        if (slot_ready[1] | drain_enable_and_drain_slot) slot_1_pixel <= slot_1_read;
+        if (slot_ready[1] | slot_1_pixel_enable_both) slot_1_pixel <= slot_1_read;
+        if (slot_ready[2] | slot_2_pixel_enable_both) slot_2_pixel <= slot_2_read;
+        if (slot_ready[3] | slot_3_pixel_enable_both) slot_3_pixel <= slot_3_read;
         if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, arrived_shifted[1], arrived_shifted_2[1], samples_in_ready, samples_out_valid};
+    wire _unused = &{1'b0, arrived_shifted[3:1], arrived_shifted_2[3:1], samples_in_ready, samples_out_valid};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) if (!rst) begin
@@ -1412,18 +1454,18 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 10
+// width = 11
 // storage = distributed
-module stream_fifo_d64_w10_distributed (
+module stream_fifo_d64_w11_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [9:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [9:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [10:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [10:0] out_data
 );
     (* ram_style = "distributed" *)
-    reg [9:0] entries [0:63];
+    reg [10:0] entries [0:63];
     reg [6:0] held, waiting;
     reg [5:0] write_address, read_address;
-    reg [9:0] item;
+    reg [10:0] item;
 
     wire has_room = ~held[6];
     wire push = in_valid & has_room;
@@ -1477,7 +1519,7 @@ module splat_weighting (
     input  wire in_end,  // Closes the frame.
     input  wire in_last,  // Closes its copy.
     input  wire in_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [1:0] in_slot,  // Slot of the tile cache.
     input  wire [5:0] in_pixel,  // Pixel of the tile: row above column.
     input  wire [15:0] in_weight,  // Kernel weight.
     input  wire [23:0] in_depth,  // Depth.
@@ -1490,7 +1532,7 @@ module splat_weighting (
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [1:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [39:0] out_weighted_depth,  // Weighted depth.
@@ -1503,17 +1545,17 @@ module splat_weighting (
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [57:0] delay_10_from_0 [0:8];
+    reg [58:0] delay_10_from_0 [0:8];
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [57:0] delay_10_from_0_out;
+    reg [58:0] delay_10_from_0_out;
     reg [15:0] weight_d8, weight_d9, weight_d10, attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4;
     reg [15:0] attribute_1_d1, attribute_1_d2, attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2;
     reg [15:0] attribute_2_d3, attribute_2_d4;
     reg [9:0] in_flight;
 
-    wire [161:0] queue_out_data;
+    wire [162:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
     wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y;
@@ -1521,10 +1563,10 @@ module splat_weighting (
     wire end_d10 = delay_10_from_0_out[0];
     wire last_d10 = delay_10_from_0_out[1];
     wire inside_d10 = delay_10_from_0_out[2];
-    wire slot_d10 = delay_10_from_0_out[3];
-    wire [5:0] pixel_d10 = delay_10_from_0_out[9:4];
-    wire [23:0] depth_low_d10 = delay_10_from_0_out[33:10];
-    wire [23:0] depth_high_d10 = delay_10_from_0_out[57:34];
+    wire [1:0] slot_d10 = delay_10_from_0_out[4:3];
+    wire [5:0] pixel_d10 = delay_10_from_0_out[10:5];
+    wire [23:0] depth_low_d10 = delay_10_from_0_out[34:11];
+    wire [23:0] depth_high_d10 = delay_10_from_0_out[58:35];
     wire [15:0] weight_d7 = delay_7_from_0_out[15:0];
     wire [23:0] depth_d7 = delay_7_from_0_out[39:16];
 
@@ -1533,7 +1575,7 @@ module splat_weighting (
         out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2
     } = queue_out_data;
 
-    stream_skid_w162 queue (
+    stream_skid_w163 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[9]), .in_ready(in_ready),
         .in_data({
             end_d10, last_d10, inside_d10, slot_d10, pixel_d10, weight_d10, mul_u16_u24_unit_y, depth_low_d10,
@@ -1801,14 +1843,14 @@ module float_from_fixed_s4_f16_w16_f16_unsigned (
 endmodule
 
 // Queue of two in registers.
-// width = 162
-module stream_skid_w162 (
+// width = 163
+module stream_skid_w163 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [161:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [161:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [162:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [162:0] out_data
 );
     reg second_valid;
-    reg [161:0] head, second;
+    reg [162:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -1873,12 +1915,12 @@ module splat_rasterizer (
     input  wire [3:0] in_first_difference,  // Smallest difference.
     input  wire [3:0] in_last_difference,  // Largest difference.
     input  wire [7:0] in_tile,  // Tile index: row above column.
-    input  wire in_slot,  // Slot of the tile cache.
+    input  wire [1:0] in_slot,  // Slot of the tile cache.
     output wire out_valid, input wire out_ready,  // Samples.
     output wire out_end,  // Closes the frame.
     output wire out_last,  // Closes its copy.
     output wire out_inside,  // Lies inside the splat; one outside is passed on only to say so.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [1:0] out_slot,  // Slot of the tile cache.
     output wire [5:0] out_pixel,  // Pixel of the tile: row above column.
     output wire [15:0] out_weight,  // Kernel weight.
     output wire [23:0] out_depth,  // Depth.
@@ -1892,7 +1934,8 @@ module splat_rasterizer (
     output reg  event_starved,  // The rasterizer had no copy to work on.
     output reg  event_blocked  // The rasterizer's pipeline was held by what follows it.
 );
-    reg busy, idle, is_end, is_last, slot;
+    reg busy, idle, is_end, is_last;
+    reg [1:0] slot;
     reg [7:0] tile;
     reg [2:0] column, row, row_end, next_begin, next_end, bottom, left, right;
     reg [3:0] first_sum;  // Smallest sum.
@@ -2093,14 +2136,14 @@ endmodule
 module splat_evaluation (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready, input wire in_end, input wire in_last,
-    input  wire in_slot, input wire [6:0] in_column, input wire [6:0] in_row,
+    input  wire [1:0] in_slot, input wire [6:0] in_column, input wire [6:0] in_row,
     input  wire [27:0] in_center_x, input wire [27:0] in_center_y, input wire [17:0] in_ax,
     input  wire [17:0] in_bx, input wire [17:0] in_ay, input wire [17:0] in_by,
     input  wire [21:0] in_delta, input wire [17:0] in_mx, input wire [17:0] in_my,
     input  wire [3:0] in_shift,
     input  wire [15:0] filter_scale,
     output wire out_valid, input wire out_ready, output wire out_end, output wire out_last,
-    output wire out_inside, output wire out_slot, output wire [5:0] out_pixel,
+    output wire out_inside, output wire [1:0] out_slot, output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
@@ -2116,7 +2159,7 @@ module splat_evaluation (
     (* ram_style = "distributed" *)
     reg [15:0] delay_27_from_0 [0:25];
     (* ram_style = "distributed" *)
-    reg [6:0] delay_39_from_0 [0:37];
+    reg [7:0] delay_39_from_0 [0:37];
     reg [3:0] delay_11_from_0_pointer;
     reg delay_11_from_0_out;
     reg [3:0] delay_15_from_0_pointer;
@@ -2130,7 +2173,7 @@ module splat_evaluation (
     reg [4:0] delay_27_from_0_pointer;
     reg [15:0] delay_27_from_0_out;
     reg [5:0] delay_39_from_0_pointer;
-    reg [6:0] delay_39_from_0_out;
+    reg [7:0] delay_39_from_0_out;
     reg end_d19;
     reg [24:0] s1_chosen_d1;
     reg shift_bits_d1, shift_bits_d1_copy2, shift_bits_d1_copy3;
@@ -2217,7 +2260,7 @@ module splat_evaluation (
     reg inside_out_d1;
     reg [38:0] in_flight;
 
-    wire [25:0] queue_out_data;
+    wire [26:0] queue_out_data;
     wire [35:0] mul_s18_s18_unit_y, mul_s18_s18_unit_copy2_y, mul_s18_s18_unit_copy3_y, mul_s18_s18_unit_copy4_y;
     wire [35:0] mul_s18_s18_unit_copy5_y, mul_s18_s18_unit_copy6_y, mul_s18_s18_unit_copy7_y;
     wire [35:0] mul_s18_s18_unit_copy8_y, mul_u18_u18_unit_y, mul_u18_u18_unit_copy2_y, mul_u18_u18_unit_copy3_y;
@@ -2228,8 +2271,8 @@ module splat_evaluation (
     wire end_d39 = delay_20_from_0_out[0];
     wire last_d39 = delay_20_from_0_out[1];
     wire inside_out_d21 = delay_20_from_0_out[2];
-    wire slot_d39 = delay_39_from_0_out[0];
-    wire [5:0] pixel_out_d39 = delay_39_from_0_out[6:1];
+    wire [1:0] slot_d39 = delay_39_from_0_out[1:0];
+    wire [5:0] pixel_out_d39 = delay_39_from_0_out[7:2];
     wire [28:0] x = ({21'd0, in_column, 1'd1} << 13) - {in_center_x[27], in_center_x};
     wire [28:0] s1_chosen = in_shift[3] ? {{8{x[28]}}, x[28:8]} : x;
     wire [24:0] s1_chosen_copy2 = shift_bits_d1 ? {{4{s1_chosen_d1[24]}}, s1_chosen_d1[24:4]} : s1_chosen_d1;
@@ -2385,7 +2428,7 @@ module splat_evaluation (
 
     assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
-    stream_skid_w26 queue (
+    stream_skid_w27 queue (
         .clk(clk), .rst(rst), .in_valid(in_flight[38] & end_or_last_or_inside_out_d20), .in_ready(in_ready),
         .in_data({end_d39, last_d39, inside_out_d21, slot_d39, pixel_out_d39, interpolate_8_8_16_unit_y}),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(queue_out_data)
@@ -3029,14 +3072,14 @@ module integer_mul_s2_s18_s18 (
 endmodule
 
 // Queue of two in registers.
-// width = 26
-module stream_skid_w26 (
+// width = 27
+module stream_skid_w27 (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [25:0] in_data,
-    output reg  out_valid, input wire out_ready, output wire [25:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [26:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [26:0] out_data
 );
     reg second_valid;
-    reg [25:0] head, second;
+    reg [26:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
@@ -3072,7 +3115,7 @@ module stream_skid_w26 (
 endmodule
 
 // Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 2
+// slots = 4
 module splat_tile_cache (
     input  wire clk, input wire rst,
     input  wire in_valid, output wire in_ready,  // Copies in order of tiles.
@@ -3129,7 +3172,7 @@ module splat_tile_cache (
     output wire [3:0] out_first_difference,  // Smallest difference.
     output wire [3:0] out_last_difference,  // Largest difference.
     output wire [7:0] out_tile,  // Tile index: row above column.
-    output wire out_slot,  // Slot of the tile cache.
+    output wire [1:0] out_slot,  // Slot of the tile cache.
     output reg  read_valid, input wire read_ready,  // Request for the pixels of a tile.
     output reg  [7:0] read_tile,  // Tile index.
     input  wire data_valid, output wire data_ready,  // Pixels of the tiles requested, in pixel order.
@@ -3155,12 +3198,12 @@ module splat_tile_cache (
     output wire [15:0] pixel_attribute_0,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire [15:0] pixel_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    output wire [1:0] slot_ready,  // A bit for each slot that may be accumulated into.
+    output wire [3:0] slot_ready,  // A bit for each slot that may be accumulated into.
     input  wire retire_valid,  // The accumulator is done with a copy.
-    input  wire retire_slot,  // Slot of the tile cache.
+    input  wire [1:0] retire_slot,  // Slot of the tile cache.
     input  wire frame_end,  // The accumulator is done with the frame.
     output reg  fill_valid,  // Write to a slot.
-    output wire fill_slot,  // Slot of the tile cache.
+    output wire [1:0] fill_slot,  // Slot of the tile cache.
     output reg  [5:0] fill_pixel,  // Pixel of the tile.
     output reg  [27:0] fill_weight,  // Sum of weights.
     output reg  [51:0] fill_depth,  // Sum of weighted depths.
@@ -3168,7 +3211,7 @@ module splat_tile_cache (
     output reg  [15:0] fill_attribute_1,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output reg  [15:0] fill_attribute_2,  // Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
     output wire drain_enable,  // Read of a slot.
-    output wire drain_slot,  // Slot of the tile cache.
+    output wire [1:0] drain_slot,  // Slot of the tile cache.
     output wire [5:0] drain_pixel,  // Pixel of the tile.
     input  wire [27:0] drain_weight,  // Sum of weights.
     input  wire [51:0] drain_depth,  // Sum of weighted depths.
@@ -3206,7 +3249,9 @@ module splat_tile_cache (
     reg [2:0] mode;
     reg frame_ended;
     reg [7:0] code;
-    reg code_read, looking, looked, moving, slot, evict;
+    reg code_read, looking, looked, moving;
+    reg [1:0] slot;
+    reg evict;
     reg [7:0] evict_tile;
     reg load;
     reg [6:0] drained;
@@ -3215,22 +3260,30 @@ module splat_tile_cache (
     reg holding;
     reg [5:0] held_pixel;
     reg [6:0] filled;
-    reg next;
+    reg [1:0] next;
     reg [7:0] tile_0;
     reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg is_of_copy_0, is_of_code_0;
+    reg used_0, is_of_copy_0, is_of_code_0;
     reg [7:0] tile_1;
     reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg is_of_copy_1, is_of_code_1;
+    reg used_1, is_of_copy_1, is_of_code_1;
+    reg [7:0] tile_2;
+    reg resident_2, ready_2;
+    reg [7:0] in_flight_2;
+    reg used_2, is_of_copy_2, is_of_code_2;
+    reg [7:0] tile_3;
+    reg resident_3, ready_3;
+    reg [7:0] in_flight_3;
+    reg used_3, is_of_copy_3, is_of_code_3;
     wire stored_touched;
     reg touched;
 
     wire in_queue_out_valid;
     wire [346:0] in_queue_out_data;
     wire out_queue_in_ready;
-    wire [347:0] out_queue_out_data;
+    wire [348:0] out_queue_out_data;
     wire write_queue_in_ready;
     wire [141:0] write_queue_out_data;
     wire pixel_queue_in_ready;
@@ -3250,12 +3303,21 @@ module splat_tile_cache (
     wire head_waits = (mode == 3'd1) & head_valid;
     wire head_waits_and_not_head_end = head_waits & ~head_end;
     wire resident_0_and_is_of_copy_0 = resident_0 & is_of_copy_0;
-    wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{resident_0_and_is_of_copy_0, copy_slot};
-    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (copy_slot & &in_flight_1);
-    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either));
+    wire resident_1_and_is_of_copy_1 = resident_1 & is_of_copy_1;
+    wire resident_2_and_is_of_copy_2 = resident_2 & is_of_copy_2;
+    wire resident_3_and_is_of_copy_3 = resident_3 & is_of_copy_3;
+    wire [3:0] copy_hit_bits = {
+        resident_0_and_is_of_copy_0, resident_1_and_is_of_copy_1, resident_2_and_is_of_copy_2,
+        resident_3_and_is_of_copy_3
+    };
+    wire copy_hit = |copy_hit_bits;
+    wire send_either = (resident_0_and_is_of_copy_0 & &in_flight_0) | (resident_1_and_is_of_copy_1 & &in_flight_1);
+    wire send_either_2 = send_either | (resident_2_and_is_of_copy_2 & &in_flight_2) | (resident_3_and_is_of_copy_3 & &in_flight_3);
+    wire send = head_waits_and_not_head_end & (copy_hit & (out_queue_in_ready & ~send_either_2));
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire send_or_send_end = send | send_end;
+    wire [1:0] copy_slot_either = ({2{resident_1_and_is_of_copy_1}} & 2'd1) | ({2{resident_2_and_is_of_copy_2}} & 2'd2);
+    wire [1:0] copy_slot = copy_slot_either | {2{resident_3_and_is_of_copy_3}};
     wire held_leaves = holding & drain_step;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
@@ -3294,27 +3356,52 @@ module splat_tile_cache (
     wire showing_or_holding = showing | holding;
     wire next_tile_either = (mode_is_5 & (drained[6] & ~showing_or_holding)) | (mode_is_6 & drained[6]);
     wire next_tile = next_tile_either | (mode_is_4 & ~touched);
-    wire sent_slot = resident_1 & is_of_code_1;
-    wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
+    wire resident_1_and_is_of_code_1 = resident_1 & is_of_code_1;
+    wire resident_2_and_is_of_code_2 = resident_2 & is_of_code_2;
+    wire resident_3_and_is_of_code_3 = resident_3 & is_of_code_3;
+    wire [3:0] sent_hit_bits = {
+        resident_0 & is_of_code_0, resident_1_and_is_of_code_1, resident_2_and_is_of_code_2,
+        resident_3_and_is_of_code_3
+    };
+    wire sent_hit = |sent_hit_bits;
     wire [2:0] mode_choice = next_tile ? (last_code ? 3'd7 : 3'd3) : mode_is_4 ? (sent_hit ? 3'd5 : 3'd6) : mode;
     wire [2:0] mode_choice_2 = send_end ? 3'd2 : finish ? 3'd3 : (mode_is_3 & code_read) ? 3'd4 : mode_choice;
-    wire start_both = finish_inverted & ((~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0)));
-    wire start = head_waits_and_not_head_end & (~copy_hit & start_both);
+    wire next_is_0 = next == 2'd0;
+    wire next_is_1 = next == 2'd1;
+    wire start_either = (next_is_0 & ((in_flight_0 == 8'd0) & ~used_0)) | (next_is_1 & ((in_flight_1 == 8'd0) & ~used_1));
+    wire next_is_2 = next == 2'd2;
+    wire next_is_3 = next == 2'd3;
+    wire start_either_2 = start_either | (next_is_2 & ((in_flight_2 == 8'd0) & ~used_2)) | (next_is_3 & ((in_flight_3 == 8'd0) & ~used_3));
+    wire start = head_waits_and_not_head_end & (~copy_hit & (finish_inverted & start_either_2));
     wire done_both = ~fill_valid & (~evict | (drained[6] & ~(showing_or_holding | write_valid)));
     wire done = moving & (filled[6] & done_both);
     wire start_or_mode_is_4 = start | mode_is_4;
+    wire [1:0] sent_slot_either = ({2{resident_1_and_is_of_code_1}} & 2'd1) | ({2{resident_2_and_is_of_code_2}} & 2'd2);
+    wire [1:0] sent_slot = sent_slot_either | {2{resident_3_and_is_of_code_3}};
     wire read_valid_both = touched & (looked | (mode_is_4 & ~sent_hit));
+    wire evict_either = (next_is_0 & resident_0) | (next_is_1 & resident_1) | (next_is_2 & resident_2);
+    wire [7:0] evict_tile_either = ({8{next_is_0}} & tile_0) | ({8{next_is_1}} & tile_1) | ({8{next_is_2}} & tile_2);
     wire looked_or_mode_is_4 = looked | mode_is_4;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire start_and_not_next = start & ~next;
-    wire done_and_not_slot = done & ~slot;
-    wire send_and_not_copy_slot = send & ~copy_slot;
-    wire in_flight_0_enable_both = retire_valid & ~retire_slot;
-    wire start_and_next = start & next;
-    wire done_and_slot = done & slot;
-    wire send_and_copy_slot = send & copy_slot;
-    wire retire_valid_and_retire_slot = retire_valid & retire_slot;
+    wire skips_either = (next_is_0 & used_0) | (next_is_1 & used_1) | (next_is_2 & used_2);
+    wire skips = skips_either | (next_is_3 & used_3);
+    wire start_and_next_is_0 = start & next_is_0;
+    wire ready_0_both = done & (slot == 2'd0);
+    wire in_flight_0_both = send & (copy_slot == 2'd0);
+    wire in_flight_0_enable_both = retire_valid & (retire_slot == 2'd0);
+    wire start_and_next_is_1 = start & next_is_1;
+    wire ready_1_both = done & (slot == 2'd1);
+    wire in_flight_1_both = send & (copy_slot == 2'd1);
+    wire in_flight_1_enable_both = retire_valid & (retire_slot == 2'd1);
+    wire start_and_next_is_2 = start & next_is_2;
+    wire ready_2_both = done & (slot == 2'd2);
+    wire in_flight_2_both = send & (copy_slot == 2'd2);
+    wire in_flight_2_enable_both = retire_valid & (retire_slot == 2'd2);
+    wire start_and_next_is_3 = start & next_is_3;
+    wire ready_3_both = done & (slot == 2'd3);
+    wire in_flight_3_both = send & (copy_slot == 2'd3);
+    wire in_flight_3_enable_both = retire_valid & (retire_slot == 2'd3);
 
     assign {
         out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
@@ -3331,7 +3418,7 @@ module splat_tile_cache (
         pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_attribute_0, pixel_attribute_1,
         pixel_attribute_2
     } = pixel_queue_out_data;
-    assign slot_ready = {ready_1, ready_0};
+    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
     assign fill_slot = slot;
     assign drain_enable = drain_step;
     assign drain_slot = slot;
@@ -3354,7 +3441,7 @@ module splat_tile_cache (
         .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
-    stream_half_buffer_w348 out_queue (
+    stream_fifo_d16_w349_distributed out_queue (
         .clk(clk), .rst(rst), .in_valid(send_or_send_end), .in_ready(out_queue_in_ready),
         .in_data({
             head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
@@ -3398,13 +3485,23 @@ module splat_tile_cache (
             read_valid <= 1'd0;
             showing <= 1'd0;
             holding <= 1'd0;
-            next <= 1'd0;
+            next <= 2'd0;
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
+            used_0 <= 1'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
+            used_1 <= 1'd0;
+            resident_2 <= 1'd0;
+            ready_2 <= 1'd0;
+            in_flight_2 <= 8'd0;
+            used_2 <= 1'd0;
+            resident_3 <= 1'd0;
+            ready_3 <= 1'd0;
+            in_flight_3 <= 8'd0;
+            used_3 <= 1'd0;
             fill_valid <= 1'd0;
         end else begin
             head_valid <= head_valid ? ~send_or_send_end : in_queue_out_valid;
@@ -3412,6 +3509,10 @@ module splat_tile_cache (
             code_read <= mode_is_3 & ~code_read;
             looking <= start;
             looked <= looking;
+            used_0 <= (in_flight_0_both | (used_0 & ~next_is_0)) & ~close;
+            used_1 <= (in_flight_1_both | (used_1 & ~next_is_1)) & ~close;
+            used_2 <= (in_flight_2_both | (used_2 & ~next_is_2)) & ~close;
+            used_3 <= (in_flight_3_both | (used_3 & ~next_is_3)) & ~close;
             fill_valid <= fill;
             if (frame_end | finish) frame_ended <= frame_end;
             if (mode_is_0 | next_tile) code <= code + 8'd1;
@@ -3421,16 +3522,26 @@ module splat_tile_cache (
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
-            if (start_and_not_next | close) resident_0 <= start_and_not_next;
-            if (done_and_not_slot | start_and_not_next | finish) ready_0 <= done_and_not_slot;
-            if (send_and_not_copy_slot ^ in_flight_0_enable_both) begin
-                in_flight_0 <= send_and_not_copy_slot ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (start | skips | close) next <= (next_is_3 | close) ? 2'd0 : (next + 2'd1);
+            if (start_and_next_is_0 | close) resident_0 <= start_and_next_is_0;
+            if (ready_0_both | start_and_next_is_0 | finish) ready_0 <= ready_0_both;
+            if (in_flight_0_both ^ in_flight_0_enable_both) begin
+                in_flight_0 <= in_flight_0_both ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (start_and_next | close) resident_1 <= start_and_next;
-            if (done_and_slot | start_and_next | finish) ready_1 <= done_and_slot;
-            if (send_and_copy_slot ^ retire_valid_and_retire_slot) begin
-                in_flight_1 <= send_and_copy_slot ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            if (start_and_next_is_1 | close) resident_1 <= start_and_next_is_1;
+            if (ready_1_both | start_and_next_is_1 | finish) ready_1 <= ready_1_both;
+            if (in_flight_1_both ^ in_flight_1_enable_both) begin
+                in_flight_1 <= in_flight_1_both ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            end
+            if (start_and_next_is_2 | close) resident_2 <= start_and_next_is_2;
+            if (ready_2_both | start_and_next_is_2 | finish) ready_2 <= ready_2_both;
+            if (in_flight_2_both ^ in_flight_2_enable_both) begin
+                in_flight_2 <= in_flight_2_both ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
+            end
+            if (start_and_next_is_3 | close) resident_3 <= start_and_next_is_3;
+            if (ready_3_both | start_and_next_is_3 | finish) ready_3 <= ready_3_both;
+            if (in_flight_3_both ^ in_flight_3_enable_both) begin
+                in_flight_3 <= in_flight_3_both ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
             end
         end
     end
@@ -3468,8 +3579,8 @@ module splat_tile_cache (
             read_tile <= mode_is_4 ? code : head_tile;
         end
         if (start) begin
-            evict <= (~next & resident_0) | (next & resident_1);
-            evict_tile <= ({8{~next}} & tile_0) | ({8{next}} & tile_1);
+            evict <= evict_either | (next_is_3 & resident_3);
+            evict_tile <= evict_tile_either | ({8{next_is_3}} & tile_3);
         end
         if (looked) load <= touched;
         if (looked_or_mode_is_4 | (drain_next | mode_is_6_and_beat)) begin
@@ -3478,13 +3589,19 @@ module splat_tile_cache (
         if (drain_next) shown_pixel <= drained[5:0];
         if (drain_step) held_pixel <= shown_pixel;
         if (looked_or_mode_is_4 | fill) filled <= looked_or_mode_is_4 ? 7'd0 : (filled + 7'd1);
-        if (start_and_not_next) tile_0 <= head_tile;
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_not_next);
+        if (start_and_next_is_0) tile_0 <= head_tile;
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | start_and_next_is_0);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | start_and_next_is_1);
         is_of_code_1 <= tile_1 == code;
+        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | start_and_next_is_2);
+        is_of_code_2 <= tile_2 == code;
+        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | start_and_next_is_3);
+        is_of_code_3 <= tile_3 == code;
         touched <= stored_touched;
-        if (start_and_next) tile_1 <= head_tile;
+        if (start_and_next_is_1) tile_1 <= head_tile;
+        if (start_and_next_is_2) tile_2 <= head_tile;
+        if (start_and_next_is_3) tile_3 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -3499,13 +3616,21 @@ module splat_tile_cache (
     always @(posedge clk) if (!rst) begin
 `ifdef FORMAL
         slot_0_retires_what_entered: assert (~in_flight_0_enable_both | |in_flight_0);
-        slot_1_retires_what_entered: assert (~retire_valid_and_retire_slot | |in_flight_1);
+        slot_1_retires_what_entered: assert (~in_flight_1_enable_both | |in_flight_1);
+        slot_2_retires_what_entered: assert (~in_flight_2_enable_both | |in_flight_2);
+        slot_3_retires_what_entered: assert (~in_flight_3_enable_both | |in_flight_3);
 `else
         if (!(~in_flight_0_enable_both | |in_flight_0)) begin
             $display("assertion failed: slot_0_retires_what_entered in %m"); $stop;
         end
-        if (!(~retire_valid_and_retire_slot | |in_flight_1)) begin
+        if (!(~in_flight_1_enable_both | |in_flight_1)) begin
             $display("assertion failed: slot_1_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_2_enable_both | |in_flight_2)) begin
+            $display("assertion failed: slot_2_retires_what_entered in %m"); $stop;
+        end
+        if (!(~in_flight_3_enable_both | |in_flight_3)) begin
+            $display("assertion failed: slot_3_retires_what_entered in %m"); $stop;
         end
 `endif
     end
@@ -3598,26 +3723,62 @@ module stream_skid_w142 (
 `endif
 endmodule
 
-// One item in a register, at half rate.
-// width = 348
-module stream_half_buffer_w348 (
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 349
+// storage = distributed
+module stream_fifo_d16_w349_distributed (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready, input wire [347:0] in_data,
-    output wire out_valid, input wire out_ready, output wire [347:0] out_data
+    input  wire in_valid, output wire in_ready, input wire [348:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [348:0] out_data
 );
-    reg full;
-    reg [347:0] item;
+    (* ram_style = "distributed" *)
+    reg [348:0] entries [0:15];
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    reg [348:0] item;
 
-    assign in_ready = ~full;
+    wire has_room = ~held[4];
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_valid = full;
+    assign in_ready = has_room;
     assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) full <= 1'd0;
-        else full <= full ? ~out_ready : in_valid;
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
+        end
     end
-    always @(posedge clk) if (in_ready) item <= in_data;
+    always @(posedge clk) begin
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 5'd16);
+        held_is_waiting_and_shown: assert (held == (waiting + {4'd0, out_valid}));
+`else
+        if (!(held <= 5'd16)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {4'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
@@ -3692,22 +3853,22 @@ module splat_reorder (
     wire [346:0] out_queue_out_data;
     wire caught_in_ready, caught_out_valid;
     wire [346:0] caught_out_data;
-    wire heap_in_ready, heap_out_valid;
-    wire [7:0] heap_out_tile;
-    wire [5:0] heap_out_pointer;
-    wire heap_empty, returned_in_ready, returned_out_valid;
+    wire lists_in_ready, lists_out_valid;
+    wire [7:0] lists_out_tile;
+    wire [5:0] lists_out_pointer;
+    wire lists_empty, returned_in_ready, returned_out_valid;
     wire [5:0] returned_out_data;
 
     wire open = in_queue_out_valid & ~draining;
     wire in_queue_out_end = in_queue_out_data[346];
     wire offer = open & ~in_queue_out_end & free_valid;
     wire advance = ~stage_valid | caught_in_ready;
-    wire insert = offer & heap_in_ready;
+    wire insert = offer & lists_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire close = draining & (lists_empty & ~stage_valid & caught_in_ready);
     wire [7:0] in_queue_out_tile = in_queue_out_data[7:0];
-    wire leaving = heap_out_valid & advance;
+    wire leaving = lists_out_valid & advance;
     wire all_used = fresh[6];
     wire returned_out_ready = ~free_valid & all_used;
 
@@ -3720,7 +3881,7 @@ module splat_reorder (
 
     memory_1w1r_unordered #(.WIDTH(338), .DEPTH(64), .SLICE(288)) payloads (
         .clk(clk), .write(offer), .write_address(free), .write_data(in_queue_out_data[345:8]),
-        .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
+        .read(advance), .read_address(lists_out_pointer), .read_data(stage_payload)
     );
 
     stream_half_buffer_w347 in_queue (
@@ -3746,16 +3907,16 @@ module splat_reorder (
         .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
-    splat_heap heap (
-        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile),
+    splat_lists lists (
+        .clk(clk), .rst(rst), .in_valid(offer), .in_ready(lists_in_ready), .in_tile(in_queue_out_tile),
         .in_pointer(free),
-        .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
-        .out_pointer(heap_out_pointer),
-        .empty(heap_empty)
+        .out_valid(lists_out_valid), .out_ready(advance), .out_tile(lists_out_tile),
+        .out_pointer(lists_out_pointer),
+        .empty(lists_empty)
     );
 
     stream_fifo_d64_w6 returned (
-        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .clk(clk), .rst(rst), .in_valid(leaving), .in_ready(returned_in_ready), .in_data(lists_out_pointer),
         .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
@@ -3774,7 +3935,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (~free_valid) free <= all_used ? returned_out_data : fresh[5:0];
-        if (advance) stage_tile <= heap_out_tile;
+        if (advance) stage_tile <= lists_out_tile;
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -3848,621 +4009,256 @@ module stream_fifo_d64_w6 (
 `endif
 endmodule
 
-// Pipelined heap that orders splat copies by tile, then by arrival.
-// levels = 6
-// interval = 2
-// sequence_bits = 10
-module splat_heap (
+// Lists of splat copies, one for each tile; some are served in turn.
+// pointers = 64
+// tiles_in_turn = 3
+module splat_lists (
     input  wire clk, input wire rst,
-    input  wire in_valid, output wire in_ready,  // Entries in any order.
+    input  wire in_valid, output wire in_ready,  // Entries in any order; no pointer comes again before it has left.
     input  wire [7:0] in_tile,  // Tile index.
     input  wire [5:0] in_pointer,  // Place of the payload.
-    output wire out_valid, input wire out_ready,  // Entries in order.
+    output wire out_valid, input wire out_ready,  // Entries of a tile in order of arrival, those of some tiles in turn.
     output wire [7:0] out_tile,  // Tile index.
     output wire [5:0] out_pointer,  // Place of the payload.
     output wire empty  // It holds no entry.
 );
-    reg lower;
-    reg [5:0] count;
-    reg [9:0] arrival;
-    reg [5:0] alive_even, alive_odd;
-    reg occupied, full, fresh_epoch_blocked;
-    reg [7:0] current;
-    reg lap, last_epoch;
-    reg [7:0] newcomer_tile;
+    reg clearing;
+    reg [7:0] cleared;
+    reg second, may_open, opening;
+    reg [7:0] opened_tile;  // Tile index.
+    reg [5:0] opened_pointer;  // Place of the payload.
+    reg appending;
+    reg [7:0] appended_tile;  // Tile index.
+    reg [5:0] appended_pointer;  // Place of the payload.
+    wire [6:0] found;
+    reg meets_opened, meets_appended, linking, follows;
+    reg [5:0] last;
+    reg joins;
+    reg [5:0] opened_last;
+    reg turn_0_valid, turn_1_valid, turn_2_valid;
+    reg [19:0] turn_0, turn_1, turn_2;
+    reg goes_on;
+    reg [7:0] going_tile;  // Tile index.
+    reg [5:0] going_last;  // The pointer of its last one.
+    wire [5:0] link;
+    reg [5:0] following;
+    reg [6:0] count;
 
     wire out_queue_in_ready;
     wire [13:0] out_queue_out_data;
-    wire [24:0] stage_0_root;
-    wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
-    wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
-    wire [24:0] stage_0_below_entry;
-    wire [18:0] stage_0_below_sibling;
-    wire [1:0] stage_0_below_row;
-    wire [24:0] stage_2_promoted_entry;
-    wire stage_2_promoted_exists, stage_2_promoted_ahead, stage_2_promoted_right, stage_2_promoted_childless;
-    wire [1:0] stage_2_promoted_node;
-    wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
-    wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
-    wire [24:0] stage_2_below_entry;
-    wire [18:0] stage_2_below_sibling;
-    wire [3:0] stage_2_below_row;
-    wire [24:0] stage_4_promoted_entry;
-    wire stage_4_promoted_exists, stage_4_promoted_ahead, stage_4_promoted_right, stage_4_promoted_childless;
-    wire [3:0] stage_4_promoted_node;
+    wire beginnings_in_ready, beginnings_out_valid;
+    wire [13:0] beginnings_out_data;
+    wire first_in_ready, first_out_valid;
+    wire [13:0] first_out_data;
 
-    wire begins = ~lower;
-    wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
-    wire push = ready & in_valid;
-    wire newcomer_lap = lap ^ (newcomer_tile < current);
-    wire push_and_not_arrival_9 = push & ~arrival[9];
-    wire push_and_arrival_9 = push & arrival[9];
+    wire [7:0] first_out_tile = first_out_data[13:6];
+    wire leaves = second & turn_0_valid & out_queue_in_ready;
+    wire begins = linking & ~follows;
+    wire opens = may_open & ~second;
+    wire may_open_either = (turn_0_valid & (turn_0[19:12] == first_out_tile)) | (turn_1_valid & (turn_1[19:12] == first_out_tile));
+    wire may_open_either_2 = may_open_either | (turn_2_valid & (turn_2[19:12] == first_out_tile));
+    wire may_open_either_3 = may_open_either_2 | (goes_on & (going_tile == first_out_tile)) | (turn_2_valid | (goes_on & turn_1_valid));
+    wire [5:0] first_out_pointer = first_out_data[5:0];
+    wire appends = second & in_valid;
+    wire turn_0_valid_choice = leaves ? turn_1_valid : turn_0_valid;
+    wire turn_0_choice = second ? goes_on : joins;
+    wire turn_0_both = turn_0_choice & ~turn_0_valid_choice;
+    wire turn_1_valid_choice = leaves ? turn_2_valid : turn_1_valid;
+    wire turn_1_valid_both = turn_0_choice & (turn_0_valid_choice & ~turn_1_valid_choice);
+    wire turn_2_valid_choice = leaves ? 1'd0 : turn_2_valid;
+    wire turn_2_valid_both = turn_0_choice & (turn_1_valid_choice & ~turn_2_valid_choice);
+    wire [19:0] turn_2_bits = {
+        second ? going_tile : opened_tile, second ? following : opened_pointer,
+        second ? going_last : opened_last
+    };
 
-    assign in_ready = ready;
+    assign in_ready = second;
     assign {out_tile, out_pointer} = out_queue_out_data;
     assign empty = ~(|count | out_valid);
 
+    memory_1w1r_unordered #(.WIDTH(7), .DEPTH(256)) ends (
+        .clk(clk), .write(clearing | (appending | opening)),
+        .write_address(clearing ? cleared : appending ? appended_tile : opened_tile),
+        .write_data({appending, appended_pointer}),
+        .read(1'd1), .read_address(second ? in_tile : first_out_tile), .read_data(found)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(6), .DEPTH(64)) links (
+        .clk(clk), .write(linking & follows), .write_address(last), .write_data(appended_pointer),
+        .read(second), .read_address(turn_0[11:6]), .read_data(link)
+    );
+
     stream_skid_w14 out_queue (
-        .clk(clk), .rst(rst), .in_valid(pop), .in_ready(out_queue_in_ready),
-        .in_data({stage_0_root[23:16], stage_0_root[5:0]}),
+        .clk(clk), .rst(rst), .in_valid(leaves), .in_ready(out_queue_in_ready), .in_data(turn_0[19:6]),
         .out_valid(out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
-    splat_heap_stage_l0 stage_0 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
-        .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_sibling(19'd0),
-        .newcomer_lap(newcomer_lap),
-        .below_promoted_entry(stage_2_promoted_entry), .below_promoted_exists(stage_2_promoted_exists),
-        .below_promoted_ahead(stage_2_promoted_ahead), .below_promoted_right(stage_2_promoted_right),
-        .below_promoted_childless(stage_2_promoted_childless), .below_promoted_node(stage_2_promoted_node),
-        .root(stage_0_root), .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole),
-        .below_carry(stage_0_below_carry), .below_right(stage_0_below_right),
-        .below_left_exists(stage_0_below_left_exists), .below_right_exists(stage_0_below_right_exists),
-        .below_follows(stage_0_below_follows), .below_entry(stage_0_below_entry),
-        .below_sibling(stage_0_below_sibling), .below_row(stage_0_below_row)
+    stream_fifo_d64_w14 beginnings (
+        .clk(clk), .rst(rst), .in_valid(begins), .in_ready(beginnings_in_ready),
+        .in_data({appended_tile, appended_pointer}),
+        .out_valid(beginnings_out_valid), .out_ready(first_in_ready), .out_data(beginnings_out_data)
     );
 
-    splat_heap_stage_l2 stage_2 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
-        .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
-        .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry), .step_sibling(stage_0_below_sibling), .step_row(stage_0_below_row),
-        .below_promoted_entry(stage_4_promoted_entry), .below_promoted_exists(stage_4_promoted_exists),
-        .below_promoted_ahead(stage_4_promoted_ahead), .below_promoted_right(stage_4_promoted_right),
-        .below_promoted_childless(stage_4_promoted_childless), .below_promoted_node(stage_4_promoted_node),
-        .promoted_entry(stage_2_promoted_entry), .promoted_exists(stage_2_promoted_exists),
-        .promoted_ahead(stage_2_promoted_ahead), .promoted_right(stage_2_promoted_right),
-        .promoted_childless(stage_2_promoted_childless), .promoted_node(stage_2_promoted_node),
-        .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
-        .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
-        .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry), .below_sibling(stage_2_below_sibling),
-        .below_row(stage_2_below_row)
-    );
-
-    splat_heap_stage_l4 stage_4 (
-        .clk(clk), .rst(rst), .lap(lap), .last_epoch(last_epoch),
-        .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
-        .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
-        .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry), .step_sibling(stage_2_below_sibling), .step_row(stage_2_below_row),
-        .promoted_entry(stage_4_promoted_entry), .promoted_exists(stage_4_promoted_exists),
-        .promoted_ahead(stage_4_promoted_ahead), .promoted_right(stage_4_promoted_right),
-        .promoted_childless(stage_4_promoted_childless), .promoted_node(stage_4_promoted_node)
+    stream_half_buffer_w14 first (
+        .clk(clk), .rst(rst), .in_valid(beginnings_out_valid), .in_ready(first_in_ready),
+        .in_data(beginnings_out_data),
+        .out_valid(first_out_valid), .out_ready(opens), .out_data(first_out_data)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            lower <= 1'd0;
-            count <= 6'd0;
-            arrival <= 10'd0;
-            alive_even <= 6'd0;
-            alive_odd <= 6'd0;
-            occupied <= 1'd0;
-            full <= 1'd0;
-            fresh_epoch_blocked <= 1'd0;
-            current <= 8'd0;
-            lap <= 1'd0;
+            clearing <= 1'd1;
+            cleared <= 8'd0;
+            second <= 1'd0;
+            may_open <= 1'd0;
+            opening <= 1'd0;
+            appending <= 1'd0;
+            linking <= 1'd0;
+            joins <= 1'd0;
+            turn_0_valid <= 1'd0;
+            turn_1_valid <= 1'd0;
+            turn_2_valid <= 1'd0;
+            goes_on <= 1'd0;
+            count <= 7'd0;
         end else begin
-            lower <= begins;
-            occupied <= |count;
-            full <= &count;
-            fresh_epoch_blocked <= (arrival[8:0] == 9'd0) & (arrival[9] ? |alive_odd : |alive_even);
-            if (push ^ pop) count <= push ? (count + 6'd1) : (count - 6'd1);
-            if (push) arrival <= arrival + 10'd1;
-            if (push_and_not_arrival_9 ^ (pop & ~stage_0_root[15])) begin
-                alive_even <= push_and_not_arrival_9 ? (alive_even + 6'd1) : (alive_even - 6'd1);
+            if (&cleared) clearing <= 1'd0;
+            if (clearing) cleared <= cleared + 8'd1;
+            second <= ~(clearing | second);
+            opening <= opens;
+            appending <= appends;
+            linking <= appending;
+            joins <= opening;
+            turn_0_valid <= turn_0_valid_choice | turn_0_both;
+            turn_1_valid <= turn_1_valid_choice | turn_1_valid_both;
+            turn_2_valid <= turn_2_valid_choice | turn_2_valid_both;
+            if (second) begin
+                may_open <= first_out_valid & ~opening & ~may_open_either_3;
+                goes_on <= leaves & (turn_0[11:6] != turn_0[5:0]);
             end
-            if (push_and_arrival_9 ^ (pop & stage_0_root[15])) begin
-                alive_odd <= push_and_arrival_9 ? (alive_odd + 6'd1) : (alive_odd - 6'd1);
-            end
-            if (pop) begin
-                current <= stage_0_root[23:16];
-                lap <= stage_0_root[24];
-            end
+            if (appends ^ leaves) count <= appends ? (count + 7'd1) : (count - 7'd1);
         end
     end
     always @(posedge clk) begin
-        if (push) last_epoch <= arrival[9];
-        newcomer_tile <= in_tile;
+        if (opens) begin
+            opened_tile <= first_out_tile;
+            opened_pointer <= first_out_pointer;
+        end
+        if (appends) begin
+            appended_tile <= in_tile;
+            appended_pointer <= in_pointer;
+        end
+        meets_opened <= opening & (in_tile == opened_tile);
+        meets_appended <= appending & (first_out_tile == appended_tile);
+        if (appending) begin
+            follows <= found[6] & ~meets_opened;
+            last <= found[5:0];
+        end
+        if (opening) opened_last <= meets_appended ? appended_pointer : found[5:0];
+        if (leaves | turn_0_both) turn_0 <= turn_0_both ? turn_2_bits : turn_1;
+        if (leaves | turn_1_valid_both) turn_1 <= turn_1_valid_both ? turn_2_bits : turn_2;
+        if (leaves | turn_2_valid_both) turn_2 <= turn_2_bits;
+        if (second) begin
+            going_tile <= turn_0[19:12];
+            going_last <= turn_0[5:0];
+        end
+        if (~second) following <= link;
     end
 
-    wire _unused = &{1'b0, stage_0_root[14:6]};
+    wire _unused = &{1'b0, beginnings_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        a_list_that_begins_has_room: assert (~begins | beginnings_in_ready);
+        a_list_that_waits_has_an_end: assert (~(opening & ~meets_appended) | found[6]);
+`else
+        if (!(~begins | beginnings_in_ready)) begin
+            $display("assertion failed: a_list_that_begins_has_room in %m"); $stop;
+        end
+        if (!(~(opening & ~meets_appended) | found[6])) begin
+            $display("assertion failed: a_list_that_waits_has_an_end in %m"); $stop;
+        end
+`endif
+    end
+`endif
 endmodule
 
-// Two neighboring levels of the pipelined heap.
-// level = 4
-// levels = 6
-// interval = 2
-module splat_heap_stage_l4 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [24:0] step_entry, input wire [18:0] step_sibling, input wire [3:0] step_row,
-    output wire [24:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [3:0] promoted_node
+// One item in a register, at half rate.
+// width = 14
+module stream_half_buffer_w14 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
+    output wire out_valid, input wire out_ready, output wire [13:0] out_data
 );
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [24:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [18:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [18:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [24:0] compared_entry;
-    reg compared_right_below, compared_left_count, write_back_valid, write_back_hole, write_back_carry;
-    reg write_back_existed, write_back_ahead, write_back_sibling_exists, write_back_sibling_mark;
-    reg [24:0] write_back_entry;
-    reg write_back_right_below, write_back_left_count;
-    reg [27:0] stored;
-    reg [4:0] row, row_before;
-    reg [5:0] last_row, last_row_before;
-    wire [27:0] left_shown, right_shown;
+    reg full;
+    reg [13:0] item;
 
-    wire [24:0] chosen_entry = compared_chosen_stored ? stored[27:3] : compared_entry;
-    wire compared_carried_24_is_lap = compared_carried[24] == lap;
-    wire [17:0] before_sibling_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] sibling_stays_bits = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? compared_carried_24_is_lap : (before_sibling_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [24:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [17:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
-        compared_parent_sibling[8:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire promoted_childless_inverted = ~(chosen_left_count | chosen_right_below);
-    wire [5:0] side_choice = lower ? last_row_before : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire [24:0] entry_to_store = (write_back_hole & ~lower) ? first : write_back_entry;
-    wire is_first_choice = lower ? 1'd0 : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? 1'd0 : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? 1'd0 : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? 1'd0 : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_either_2 = (node_to_store_both & not_node_to_store_choice) | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [27:0] node_to_store = {
-        entry_to_store, node_to_store_unequal, node_to_store_either,
-        write_back_left_count + node_to_store_either_2
-    };
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? (chosen_left_count | ~lower) : step_right;
-    wire [5:0] next_row = {row, goes_right};
-    wire [4:0] row_choice = lower ? {1'd0, step_row} : next_row[4:0];
-    wire same_side = goes_right ^ ~side;
-    wire [18:0] sibling = compared_sibling_stored ? stored[27:9] : compared_sibling;
-    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[27:3] : left_shown[27:3];
-    wire before_sibling_in_order = before_sibling_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? compared_carried_24_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
+    assign in_ready = ~full;
 
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[3:0];
-
-    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(32)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[5:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(32)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[5:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
+    assign out_valid = full;
+    assign out_data = item;
 
     always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
-        end
+        if (rst) full <= 1'd0;
+        else full <= full ? ~out_ready : in_valid;
     end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[24:6];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[2] : left_shown[2];
-        compared_entry <= goes_right ? right_shown[27:3] : left_shown[27:3];
-        compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
-        compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[2] : compared_sibling_mark;
-        write_back_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & compared_exists;
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-        last_row <= next_row;
-        last_row_before <= last_row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
+    always @(posedge clk) if (in_ready) item <= in_data;
 endmodule
 
-// Two neighboring levels of the pipelined heap.
-// level = 2
-// levels = 6
-// interval = 2
-module splat_heap_stage_l2 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [24:0] step_entry, input wire [18:0] step_sibling, input wire [1:0] step_row,
-    input  wire [24:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [3:0] below_promoted_node,
-    output wire [24:0] promoted_entry, output wire promoted_exists, output wire promoted_ahead,
-    output wire promoted_right, output wire promoted_childless, output wire [1:0] promoted_node,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [24:0] below_entry, output wire [18:0] below_sibling, output wire [3:0] below_row
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 14
+module stream_fifo_d64_w14 (
+    input  wire clk, input wire rst,
+    input  wire in_valid, output wire in_ready, input wire [13:0] in_data,
+    output reg  out_valid, input wire out_ready, output wire [13:0] out_data
 );
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [24:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [18:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [18:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [24:0] compared_entry;
-    reg compared_right_below;
-    reg [2:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [24:0] write_back_entry;
-    reg write_back_right_below;
-    reg [2:0] write_back_left_count;
-    reg [29:0] stored;
-    reg [2:0] row, row_before;
-    wire [29:0] left_shown, right_shown;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [13:0] item;
 
-    wire [24:0] chosen_entry = compared_chosen_stored ? stored[29:5] : compared_entry;
-    wire compared_carried_24_is_lap = compared_carried[24] == lap;
-    wire [17:0] before_chosen_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] sibling_stays_bits = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? compared_carried_24_is_lap : (before_chosen_bits < sibling_stays_bits);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [24:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [17:0] sibling_stays_bits_2 = {
-        compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
-        compared_parent_sibling[8:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits_2 < sibling_stays_bits);
-    wire promoted_ahead_both = compared_exists & ~sibling_stays;
-    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire promoted_childless_inverted = ~(|chosen_left_count | chosen_right_below);
-    wire below_valid_both = compared_valid & compared_exists;
-    wire below_right_both = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [24:0] below_entry_choice = carried_first ? chosen_entry : compared_carried;
-    wire [18:0] sibling = compared_sibling_stored ? stored[29:11] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire compared_follows_choice = lower ? compared_follows : step_follows;
-    wire newer = compared_follows_choice & write_back_valid;
-    wire [3:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | (lower ? below_promoted_ahead : promoted_ahead_both);
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [3:0] next_row = {row, goes_right};
-    wire [24:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & (lower ? below_promoted_childless : promoted_childless_inverted);
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [2:0] node_to_store_sum = write_back_left_count + {{2{node_to_store_both_4}}, node_to_store_either_2};
-    wire [29:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire [2:0] row_choice = lower ? {1'd0, step_row} : next_row[2:0];
-    wire same_side = goes_right ^ ~side;
-    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[29:5] : left_shown[29:5];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (compared_carried[24] ^ sibling[18]) ? compared_carried_24_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
+    wire has_room = ~held[6];
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign promoted_entry = first;
-    assign promoted_exists = compared_exists;
-    assign promoted_ahead = promoted_ahead_both;
-    assign promoted_right = compared_right;
-    assign promoted_childless = promoted_childless_inverted;
-    assign promoted_node = row_before[1:0];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
+    assign in_ready = has_room;
+    assign out_data = item;
 
-    memory_1w1r_unordered #(.WIDTH(30), .DEPTH(8)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[3:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(30), .DEPTH(8)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[3:1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
+    memory_1w1r_unordered #(.WIDTH(14), .DEPTH(64)) entries (
+        .clk(clk), .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
         end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
     end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= compared_follows_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[24:6];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[4] : left_shown[4];
-        compared_entry <= goes_right ? right_shown[29:5] : left_shown[29:5];
-        compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
-        compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[4] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {3{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
 
-    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
-endmodule
-
-// Two neighboring levels of the pipelined heap.
-// level = 0
-// levels = 6
-// interval = 2
-module splat_heap_stage_l0 (
-    input  wire clk, input wire rst, input wire lap, input wire last_epoch,
-    input  wire step_valid, input wire step_hole, input wire step_carry, input wire step_right,
-    input  wire step_left_exists, input wire step_right_exists, input wire step_follows,
-    input  wire [24:0] step_entry, input wire [18:0] step_sibling,
-    input  wire newcomer_lap,
-    input  wire [24:0] below_promoted_entry, input wire below_promoted_exists,
-    input  wire below_promoted_ahead, input wire below_promoted_right,
-    input  wire below_promoted_childless, input wire [1:0] below_promoted_node,
-    output wire [24:0] root,
-    output wire below_valid, output wire below_hole, output wire below_carry, output wire below_right,
-    output wire below_left_exists, output wire below_right_exists, output wire below_follows,
-    output wire [24:0] below_entry, output wire [18:0] below_sibling, output wire [1:0] below_row
-);
-    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
-    reg [24:0] compared_carried;
-    reg compared_exists, compared_right, compared_was_first;
-    reg [18:0] compared_parent_sibling;
-    reg compared_chosen_stored, compared_sibling_stored;
-    reg [18:0] compared_sibling;
-    reg compared_sibling_exists, compared_sibling_mark;
-    reg [24:0] compared_entry;
-    reg compared_right_below;
-    reg [4:0] compared_left_count;
-    reg write_back_valid, write_back_hole, write_back_carry, write_back_existed, write_back_ahead;
-    reg write_back_sibling_exists, write_back_sibling_mark;
-    reg [24:0] write_back_entry;
-    reg write_back_right_below;
-    reg [4:0] write_back_left_count;
-    reg [31:0] stored;
-    reg row, row_before;
-    wire [31:0] left_shown, right_shown;
-
-    wire newer_choice = lower ? compared_follows : step_follows;
-    wire newer = newer_choice & write_back_valid;
-    wire before_chosen_choice = lower ? newcomer_lap : compared_carried[24];
-    wire [24:0] chosen_entry = compared_chosen_stored ? stored[31:7] : compared_entry;
-    wire before_chosen_choice_is_lap = before_chosen_choice == lap;
-    wire [17:0] before_chosen_bits = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
-    wire [17:0] before_chosen_bits_2 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
-    wire before_chosen = (before_chosen_choice ^ chosen_entry[24]) ? before_chosen_choice_is_lap : (before_chosen_bits < before_chosen_bits_2);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [24:0] write_back_entry_bits = {before_chosen_choice, compared_carried[23:0]};
-    wire [24:0] first = carried_first ? write_back_entry_bits : chosen_entry;
-    wire [24:0] entry_to_store = write_back_hole ? (lower ? below_promoted_entry : first) : write_back_entry;
-    wire below_valid_both = compared_valid & compared_exists;
-    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire below_right_both = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire [24:0] below_entry_choice = carried_first ? chosen_entry : write_back_entry_bits;
-    wire [18:0] sibling = compared_sibling_stored ? stored[31:13] : compared_sibling;
-    wire compared_hole_choice = lower ? compared_hole : step_hole;
-    wire compared_exists_choice = lower ? |chosen_left_count : step_left_exists;
-    wire compared_exists_choice_2 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] side_choice = lower ? below_promoted_node : {1'd0, row_before};
-    wire side = side_choice[0];
-    wire is_first_choice = lower ? below_promoted_exists : compared_exists;
-    wire [17:0] sibling_stays_bits = {
-        compared_parent_sibling[17:10], compared_parent_sibling[9] == last_epoch,
-        compared_parent_sibling[8:0]
-    };
-    wire sibling_stays = (compared_parent_sibling[18] ^ chosen_entry[24]) ? (compared_parent_sibling[18] == lap) : (sibling_stays_bits < before_chosen_bits_2);
-    wire is_first_choice_2 = lower ? below_promoted_ahead : (compared_exists & ~sibling_stays);
-    wire is_first_either = ~write_back_sibling_exists | write_back_ahead | is_first_choice_2;
-    wire is_first = write_back_hole ? ((write_back_carry | is_first_choice) & is_first_either) : write_back_ahead;
-    wire first_side = side ^ ~is_first;
-    wire compared_was_first_choice = (compared_exists_choice & compared_exists_choice_2) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : compared_exists_choice_2;
-    wire goes_right = compared_hole_choice ? compared_was_first_choice : lower ? below_right_both : step_right;
-    wire [1:0] next_row = {row, goes_right};
-    wire node_to_store_unequal = first_side ^ (write_back_sibling_exists & write_back_sibling_mark);
-    wire node_to_store_both = write_back_hole & ~write_back_carry & is_first_choice;
-    wire node_to_store_choice = lower ? below_promoted_right : compared_right;
-    wire node_to_store_choice_2 = lower ? below_promoted_childless : ~(|chosen_left_count | chosen_right_below);
-    wire node_to_store_both_2 = node_to_store_both & node_to_store_choice & node_to_store_choice_2;
-    wire node_to_store_both_3 = ~write_back_hole & write_back_existed;
-    wire node_to_store_either = (write_back_right_below & ~node_to_store_both_2) | (node_to_store_both_3 & node_to_store_choice);
-    wire not_node_to_store_choice = ~node_to_store_choice;
-    wire node_to_store_both_4 = node_to_store_both & not_node_to_store_choice;
-    wire node_to_store_either_2 = node_to_store_both_4 | (node_to_store_both_3 & not_node_to_store_choice);
-    wire [4:0] node_to_store_sum = write_back_left_count + {{4{node_to_store_both_4}}, node_to_store_either_2};
-    wire [31:0] node_to_store = {entry_to_store, node_to_store_unequal, node_to_store_either, node_to_store_sum};
-    wire row_choice = lower ? 1'd0 : next_row[0];
-    wire same_side = goes_right ^ ~side;
-    wire [24:0] compared_sibling_choice = ~goes_right ? right_shown[31:7] : left_shown[31:7];
-    wire before_sibling_in_order = before_chosen_bits < {sibling[17:10], sibling[9] == last_epoch, sibling[8:0]};
-    wire before_sibling = (before_chosen_choice ^ sibling[18]) ? before_chosen_choice_is_lap : before_sibling_in_order;
-    wire write_back_ahead_either = (compared_exists & compared_was_first) | (carried_first & (before_sibling | ~compared_sibling_exists));
-
-    assign root = newer ? entry_to_store : right_shown[31:7];
-    assign below_valid = below_valid_both;
-    assign below_hole = compared_hole;
-    assign below_carry = compared_carry;
-    assign below_right = below_right_both;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
-    assign below_follows = compared_follows;
-    assign below_entry = below_entry_choice;
-    assign below_sibling = sibling;
-    assign below_row = next_row;
-
-    memory_1w1r_unordered #(.WIDTH(32), .DEPTH(2)) left_nodes (
-        .clk(clk), .write(write_back_valid & ~side), .write_address(side_choice[1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(left_shown)
-    );
-
-    memory_1w1r_unordered #(.WIDTH(32), .DEPTH(2)) right_nodes (
-        .clk(clk), .write(write_back_valid & side), .write_address(side_choice[1]),
-        .write_data(node_to_store),
-        .read(1'd1), .read_address(row_choice), .read_data(right_shown)
-    );
-
-    always @(posedge clk) begin
-        if (rst) begin
-            lower <= 1'd0;
-            compared_valid <= 1'd0;
-            write_back_valid <= 1'd0;
-        end else begin
-            lower <= ~lower;
-            compared_valid <= lower ? below_valid_both : step_valid;
-            write_back_valid <= compared_valid & (compared_exists | ~compared_hole);
+`ifdef RTL_ASSERT
+    always @(posedge clk) if (!rst) begin
+`ifdef FORMAL
+        held_in_range: assert (held <= 7'd64);
+        held_is_waiting_and_shown: assert (held == (waiting + {6'd0, out_valid}));
+`else
+        if (!(held <= 7'd64)) begin $display("assertion failed: held_in_range in %m"); $stop; end
+        if (!(held == (waiting + {6'd0, out_valid}))) begin
+            $display("assertion failed: held_is_waiting_and_shown in %m"); $stop;
         end
+`endif
     end
-    always @(posedge clk) begin
-        compared_hole <= compared_hole_choice;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= newer_choice & same_side;
-        compared_carried <= lower ? below_entry_choice : step_entry;
-        compared_exists <= goes_right ? compared_exists_choice_2 : compared_exists_choice;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == compared_was_first_choice;
-        compared_parent_sibling <= lower ? sibling : step_sibling;
-        compared_chosen_stored <= newer & same_side;
-        compared_sibling_stored <= newer & ~same_side;
-        compared_sibling <= compared_sibling_choice[24:6];
-        compared_sibling_exists <= goes_right ? compared_exists_choice : compared_exists_choice_2;
-        compared_sibling_mark <= ~goes_right ? right_shown[6] : left_shown[6];
-        compared_entry <= goes_right ? right_shown[31:7] : left_shown[31:7];
-        compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
-        compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-        write_back_hole <= compared_hole;
-        write_back_carry <= compared_carry;
-        write_back_existed <= compared_exists;
-        write_back_ahead <= compared_hole ? (compared_carry & before_sibling) : write_back_ahead_either;
-        write_back_sibling_exists <= compared_sibling_exists;
-        write_back_sibling_mark <= compared_sibling_stored ? stored[6] : compared_sibling_mark;
-        write_back_entry <= first;
-        write_back_right_below <= chosen_right_below & compared_exists;
-        write_back_left_count <= chosen_left_count & {5{compared_exists}};
-        stored <= node_to_store;
-        row <= row_choice;
-        row_before <= row;
-    end
-
-    wire _unused = &{1'b0, compared_sibling_choice[5:0]};
+`endif
 endmodule
 
 // Queue of two in registers.
