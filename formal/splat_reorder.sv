@@ -3,7 +3,7 @@
 //
 // Two symbolic copies are watched by their tags, which are a part of what they carry, as are a few bits more; the rest is zero, and lies
 // in the same words. The source may withdraw what it offers, and the sink may stall as it likes. That tiles come in the heap's order is
-// proved of the heap.
+// proved of the heap; lists promise none.
 module proof (input clk);
     `include "sizes.vh"
 
@@ -53,9 +53,8 @@ module proof (input clk);
         ends_before_a <= pushes_a ? ends - (leaves && out_end) : ends_before_a - (leaves && out_end);
     end
 
-    // With a sink that takes, something goes in or out every few cycles: PATIENCE covers the way of an entry through the heap.
-    localparam PATIENCE = 10;
-    reg [3:0] stands = 0;
+    // With a sink that takes, something goes in or out every few cycles: PATIENCE covers the way of an entry through heap or lists.
+    reg [4:0] stands = 0;
     wire waits = (in_valid && !in_ready) || held != 0 || ends != 0;
     always @(posedge clk) if (!rst) stands <= leaves || push || !waits ? 0 : stands + out_ready;
 
