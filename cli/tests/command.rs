@@ -162,7 +162,10 @@ fn a_folder_that_cannot_be_written_is_named() {
 #[test]
 fn plan_explains_its_choices() {
     let workplace = Workplace::new();
-    workplace.write("scene.toml", &format!("{SCENE}[splatting]\nfilter_radius_px = 0\n[overrides]\nheap_levels = 7\n"));
+    workplace.write(
+        "scene.toml",
+        &format!("{SCENE}[splatting]\nfilter_radius_px = 0\n[overrides]\nheap_levels = 7\nsetup_interval = 4\n"),
+    );
     let text = workplace.succeeds(&["plan", "scene.toml"]);
     for part in [
         "500 splats",

@@ -13,7 +13,7 @@ const SCENE: &str = "camera = { eye = [0, 0, 5], target = [0, 0, 0], fov_degrees
 
 /// Runs `pointcore accuracy` on the scene with a few points; `folder` keeps them.
 fn sweep(workplace: &Workplace, folder: &str, arguments: &[&str]) -> Output {
-    let knobs = ["--vary", "samples=1,4", "--vary", "geometry=bf16-ftz", "--vary", "sharing=8"];
+    let knobs = ["--vary", "samples=1,4", "--vary", "geometry=bf16-ftz", "--vary", "sharing=16"];
     let output =
         workplace.pointcore(&[&["accuracy", "scene.toml", "--points", folder], &knobs[..], arguments].concat());
     let error = String::from_utf8_lossy(&output.stderr);
@@ -57,8 +57,8 @@ fn a_sweep_in_parts_is_the_sweep_as_a_whole() {
         "samples bring the picture nearer to the truth"
     );
     assert!(psnr("base", "rounding_psnr_db") > psnr("geometry bf16-ftz", "rounding_psnr_db") + 20.0, "bf16 rounds");
-    assert_eq!(psnr("sharing 8", "rounding_psnr_db"), psnr("base", "rounding_psnr_db"), "sharing changes no bit");
-    assert!(cycles("sharing 8") >= cycles("base") && cycles("samples 4") > 2 * cycles("base"));
+    assert_eq!(psnr("sharing 16", "rounding_psnr_db"), psnr("base", "rounding_psnr_db"), "sharing changes no bit");
+    assert!(cycles("sharing 16") >= cycles("base") && cycles("samples 4") > 2 * cycles("base"));
     assert_eq!(point("f64")["hardware"], serde_json::Value::Null);
     let bench = json(&read("out/bench.json"));
     assert_eq!(bench["accuracy.scene.points"], 10);

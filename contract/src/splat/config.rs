@@ -126,9 +126,9 @@ configuration! {
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Cycles a splat takes in the transform unit (initiation interval).
-            transform_interval: u32 = 2, range(1, 16), User;
+            transform_interval: u32 = 2, range(1, 16), Input;
             /// Cycles a splat takes in the setup unit (initiation interval).
-            setup_interval: u32 = 4, range(1, 16), User;
+            setup_interval: u32 = 4, range(1, 16), Input;
             /// Cycles from a stored pixel to its new value: one to choose the slot, the others for test and sums, at least the
             /// three of the depth test.
             accumulate_stages: u32 = 7, range(5, 12), Sweep;

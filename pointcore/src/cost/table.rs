@@ -4,8 +4,8 @@ use super::Costs;
 use crate::plan::Plan;
 
 /// The head of the table.
-pub const TABLE_HEAD: &str = "| scene | culling | filter | eye plane | attributes | cardinal | heap | slots | LUT4 saved | memory | multipliers | cycles |\n\
-                              |---|---|---|---|---|---|---|---|---|---|---|---|";
+pub const TABLE_HEAD: &str = "| scene | culling | filter | eye plane | attributes | cardinal | heap | slots | interval | LUT4 saved | memory | multipliers | cycles |\n\
+                              |---|---|---|---|---|---|---|---|---|---|---|---|---|";
 
 /// What is chosen for a scene, as the first cells of its line.
 #[must_use]
@@ -13,9 +13,9 @@ pub fn choices_row(name: &str, plan: &Plan) -> String {
     let config = &plan.config;
     let [culling, filter, eye_plane] = [config.culling, config.screen_filter, config.eye_plane]
         .map(|feature| if feature.is_on() { "on" } else { "–" });
-    let (continuous, cardinal, levels, slots) =
-        (config.continuous, config.cardinal, config.heap_levels, config.tile_slots);
-    format!("| {name} | {culling} | {filter} | {eye_plane} | {continuous} | {cardinal} | {levels} | {slots} |")
+    let (levels, slots, interval) = (config.heap_levels, config.tile_slots, config.setup_interval);
+    let numbers = [config.continuous, config.cardinal, levels, slots, interval].map(|number| number.to_string());
+    format!("| {name} | {culling} | {filter} | {eye_plane} | {} |", numbers.join(" | "))
 }
 
 /// The line of a scene.

@@ -22,11 +22,11 @@ use crate::scene::Scene;
 use crate::uniforms::uniforms;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::Uniforms;
-use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Sight, Splat as Record};
+use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Sight, Splat as Record, SplatCopy};
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
-use pointcore_golden::splat::{Rasterizer, Setup, Slant, Splitter, Transform};
+use pointcore_golden::splat::{Rasterizer, Setup, Slant, Splitter, Transform, rasterizer};
 use rayon::prelude::*;
 
 /// Share by which a splat must be wider than the screen filter, if only for the radius' own rounding.
@@ -39,6 +39,39 @@ const SIDE_UNITS: f64 = 20.0;
 const SQUARABLE: std::ops::RangeInclusive<f64> = 1e-12..=1e18;
 /// Splats of more samples are not tried sample by sample: the part that they may need costs less than that.
 const SAMPLES_TRIED: usize = 1 << 14;
+
+/// A share of the rasterizer's cycles: what transform and setup may take, as splats do not come evenly.
+const SHARE: f64 = 0.8;
+/// More cycles a splat save next to nothing.
+const INTERVAL_MAX: u32 = 8;
+
+/// How the units before the rasterizer are loaded beside it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Load {
+    /// Splats.
+    pub splats: usize,
+    /// Samples within their bounds, of which the rasterizer takes one a cycle.
+    pub samples: usize,
+}
+
+impl Load {
+    /// The greater one: more splats to a sample.
+    const fn or(self, other: Self) -> Self {
+        let is_greater = self.splats * other.samples >= other.splats * self.samples;
+        if is_greater { self } else { other }
+    }
+
+    const fn sum(self, other: Self) -> Self {
+        Self { splats: self.splats + other.splats, samples: self.samples + other.samples }
+    }
+
+    /// The most cycles, a power of two, that a splat may take while samples take longer.
+    pub fn interval(self) -> u32 {
+        let cycles = SHARE * self.samples as f64 / self.splats.max(1) as f64;
+        let longest = INTERVAL_MAX.ilog2();
+        (0..=longest).rev().map(|power| 1 << power).find(|&interval| f64::from(interval) <= cycles).unwrap_or(1)
+    }
+}
 
 /// What the splats of a frame ask for together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,6 +88,8 @@ pub(super) struct Demand {
     pub drawn: usize,
     /// Copies of them, one a tile.
     pub copies: usize,
+    /// Of transform and setup beside the rasterizer.
+    pub load: Load,
     /// Tile columns and rows that they lie in.
     tiles: Option<[[u32; 2]; 2]>,
 }
@@ -93,6 +128,7 @@ impl Demand {
             crossing: self.crossing.max(other.crossing),
             drawn: self.drawn.max(other.drawn),
             copies: self.copies.max(other.copies),
+            load: self.load.or(other.load),
             ..self.sum(other)
         }
     }
@@ -112,6 +148,7 @@ impl Demand {
             first_crossing: self.first_crossing.into_iter().chain(other.first_crossing).min(),
             drawn: self.drawn + other.drawn,
             copies: self.copies + other.copies,
+            load: self.load.sum(other.load),
             tiles,
         }
     }
@@ -168,7 +205,8 @@ impl<'a> Units<'a> {
             tangents: splat.tangents.map(record_vector),
             ..Record::default()
         };
-        let Some(splat) = self.transform.transform(&record, &self.transform_uniforms) else { return Demand::default() };
+        let dropped = Demand { load: Load { splats: 1, samples: 0 }, ..Demand::default() };
+        let Some(splat) = self.transform.transform(&record, &self.transform_uniforms) else { return dropped };
         let Some(drawn) = self.setup.setup(&splat, &self.setup_uniforms) else {
             let is_culled = self.without_culling.setup(&splat, &self.setup_uniforms).is_some();
             // What nothing is seen of has bounds all the same where that is not asked.
@@ -177,7 +215,7 @@ impl<'a> Units<'a> {
                 back_facing: is_culled.into(),
                 crossing: is_crossing.into(),
                 first_crossing: is_crossing.then_some(index),
-                ..Demand::default()
+                ..dropped
             };
         };
         let slant = self.setup.slant_of(&splat, &self.setup_uniforms);
@@ -195,8 +233,16 @@ impl<'a> Units<'a> {
             first_crossing: is_crossing.then_some(index),
             drawn: 1,
             copies: self.splitter.copies(&drawn).count(),
+            load: Load { splats: 1, samples: self.samples(&drawn) },
             tiles: Some(tiles),
         }
+    }
+
+    /// Samples that the rasterizer visits.
+    fn samples(&self, drawn: &SetupSplat) -> usize {
+        let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
+        let columns = |copy: &SplatCopy, row| rasterizer::columns(self.config.sampling, copy, row).count();
+        self.splitter.copies(drawn).map(|copy| rows(&copy).map(|row| columns(&copy, row)).sum::<usize>()).sum()
     }
 
     /// Whether setup makes another splat of it, or one or none where it should not, without the part for near, far and eye plane.

@@ -96,6 +96,8 @@ impl Plan {
         config.heap_levels = config.heap_levels.min((demand.copies.max(2).ilog2() + 1).max(2));
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
+        let interval = demand.load.interval();
+        (config.transform_interval, config.setup_interval) = (interval, interval);
         let mut choices = choices(scene, &config, &demand);
 
         config = overridden(&config, overrides)?;
@@ -135,6 +137,7 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
         reason: reason.to_owned(),
     };
     let Demand { back_facing, filtered, crossing, drawn, copies, .. } = *demand;
+    let interval = config.setup_interval;
     let [columns, rows] = demand.tiles();
     let (continuous, total) = (config.continuous, scene.splats.len());
     let filter = match scene.rendering.filter_radius_px {
@@ -182,6 +185,15 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
                 "what is drawn lies in {columns} × {rows} tiles; one loads while others are in use, more than there are stay empty"
             ),
         ),
+        Choice {
+            effect: None,
+            part: "transform, setup",
+            chosen: format!("{interval} cycles a splat"),
+            reason: format!(
+                "{} splats come beside {} samples, of which the rasterizer takes one a cycle",
+                demand.load.splats, demand.load.samples
+            ),
+        },
         fixed("sampling", sampling.0, sampling.1),
         fixed("depth", depth.0, depth.1),
         fixed("lighting", "on the host", "fragments are shaded after the frame, whatever the light"),

@@ -1,3 +1,4 @@
+use super::demand::Load;
 use super::*;
 use pointcore_contract::Format;
 use std::path::Path;
@@ -206,4 +207,19 @@ fn hardware_that_excludes_an_effect_is_named_with_the_remedy() {
         }
         assert_eq!(message.lines().count(), 1, "{message}");
     }
+}
+
+#[test]
+fn a_splat_takes_as_long_as_its_samples_leave() {
+    let interval = |object: &str| {
+        let config = plan(&format!("{HEAD}{object}")).expect("the scene is good").config;
+        assert_eq!(config.transform_interval, config.setup_interval);
+        config.setup_interval
+    };
+    assert_eq!(interval(&DUST.replace("0.01", "0.2")), 8, "more than ten samples a splat");
+    assert_eq!(interval(&DUST.replace("size = 1", "size = 30")), 1, "most of them beside the image");
+    assert_eq!(
+        [(1, 0), (1, 1), (1, 2), (1, 3), (2, 11), (0, 0)].map(|(splats, samples)| Load { splats, samples }.interval()),
+        [1, 1, 1, 2, 4, 1]
+    );
 }
