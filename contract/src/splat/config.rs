@@ -30,6 +30,8 @@ pub const PLACED_QUEUE_DEPTH: u32 = 16;
 pub const COPY_QUEUE_DEPTH: u32 = 64;
 /// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
 pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
+/// Reads of which pixels are still to come, where several rasterizers share a memory.
+pub const COLLECTED_READS: u32 = 8;
 /// Bits of the counter of copies under way in one tile slot.
 pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.
@@ -125,6 +127,8 @@ configuration! {
             heap_interval: u32 = 2, described("2, 4"), User;
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
+            /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).
+            rasterizers: u32 = 1, described("1, 2, 4, 8; no more than the image is wide in tiles, rounded up to a power of two"), User;
             /// Cycles a splat takes in the transform unit (initiation interval).
             transform_interval: u32 = 2, range(1, 16), Input;
             /// Cycles a splat takes in the setup unit (initiation interval).
@@ -159,6 +163,17 @@ impl Config {
         self.check_ranges()?;
         if ![2, 4].contains(&self.heap_interval) {
             return Err(ConfigError::HeapInterval(self.heap_interval));
+        }
+        if ![1, 2, 4, 8].contains(&self.rasterizers) {
+            return Err(ConfigError::Rasterizers(self.rasterizers));
+        }
+        let columns = self.width.div_ceil(TILE_SIZE).next_power_of_two();
+        if self.rasterizers > 2.max(columns) {
+            return Err(ConfigError::NarrowImage {
+                width: self.width,
+                rasterizers: self.rasterizers,
+                most: 2.max(columns),
+            });
         }
         if !self.width.is_multiple_of(self.sampling.columns()) {
             return Err(ConfigError::OddWidth(self.width));
@@ -261,6 +276,18 @@ impl Config {
     #[must_use]
     pub const fn tile_bits(&self) -> u32 {
         self.tile_row_bits() + self.tile_column_bits()
+    }
+
+    /// Bits of a rasterizer's number: none where there is but one.
+    #[must_use]
+    pub const fn rasterizer_bits(&self) -> u32 {
+        self.rasterizers.ilog2()
+    }
+
+    /// Bits of a tile's place among those of its rasterizer: the lowest bits of its column say, with its row, only whose it is.
+    #[must_use]
+    pub const fn place_bits(&self) -> u32 {
+        self.tile_bits() - self.rasterizer_bits()
     }
 
     /// Bits of a tile slot's number.

@@ -4,6 +4,7 @@
 //! A tick is two cycles; in each a copy is appended or a list is opened, and a copy leaves. A list that was opened grows no more: what
 //! comes to its tile begins another, which is not opened before the first has left.
 
+use super::parts::share::Share;
 use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
@@ -21,6 +22,7 @@ struct List {
 /// The lists.
 #[derive(Clone, Debug)]
 pub struct Lists {
+    share: Share,
     tiles_in_turn: usize,
     /// Tiles whose lists are known to be empty after reset.
     cleared: usize,
@@ -52,9 +54,10 @@ impl Lists {
     pub fn new(config: &Config) -> Self {
         let pointers = config.payloads() as usize;
         Self {
+            share: Share::new(config),
             tiles_in_turn: config.turns() as usize,
             cleared: 0,
-            lasts: vec![None; 1 << config.tile_bits()],
+            lasts: vec![None; 1 << config.place_bits()],
             links: vec![0; pointers],
             second: false,
             opens: false,
@@ -74,7 +77,7 @@ impl Lists {
         self.turns.extend(self.opened.take());
         if self.opens {
             let next = *self.first.out().expect("what waits stays until it is opened");
-            let last = self.lasts[next.tile as usize].take().expect("a list that waits has an end");
+            let last = self.lasts[self.share.place(next.tile) as usize].take().expect("a list that waits has an end");
             self.opened = Some(List { next, last });
         }
         self.opens
@@ -91,7 +94,7 @@ impl Lists {
             None => None,
         };
         if let Some(entry) = input {
-            self.appended = Some((entry, self.lasts[entry.tile as usize].replace(entry.pointer)));
+            self.appended = Some((entry, self.lasts[self.share.place(entry.tile) as usize].replace(entry.pointer)));
             self.count += 1;
         }
 

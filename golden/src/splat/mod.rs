@@ -5,8 +5,11 @@
 
 pub mod accumulator;
 pub mod attribute;
+pub mod collector;
 pub mod depth_test;
+pub mod distributor;
 pub mod heap;
+pub mod lane;
 pub mod lists;
 pub mod normalizer;
 pub mod rasterizer;
@@ -22,10 +25,14 @@ pub mod weighting;
 mod parts;
 
 pub use accumulator::Accumulator;
+pub use collector::Collector;
 pub use depth_test::DepthTest;
+pub use distributor::Distributor;
 pub use heap::Heap;
+pub use lane::Lane;
 pub use lists::Lists;
 pub use normalizer::Normalizer;
+pub use parts::share::Share;
 pub use rasterizer::Rasterizer;
 pub use reorder::Reorder;
 pub use setup::{Dropped, Setup, Slant};

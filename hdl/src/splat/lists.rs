@@ -10,6 +10,7 @@ use pointcore_contract::splat::records::HeapEntry;
 use pointcore_contract::splat::units::lists::PORTS;
 use pointcore_contract::{record, width};
 
+use super::parts::share;
 use crate::stream::{fifo, half_buffer};
 use crate::units::ports::{StreamInPorts, StreamOutPorts, WordPort, held};
 use crate::units::queue::Pushed;
@@ -89,7 +90,7 @@ impl Turns {
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (tile_bits, pointer_bits) = (config.tile_bits(), config.heap_levels);
+    let (place_bits, pointer_bits) = (config.place_bits(), config.heap_levels);
     let mut m = Module::new("splat_lists", "Lists of splat copies, one for each tile; some are served in turn.");
     m.parameter("pointers", config.payloads());
     m.parameter("tiles_in_turn", config.turns());
@@ -102,7 +103,7 @@ pub fn module(config: &Config) -> Module {
 
     // After reset no tile has a list.
     let clearing = m.reg_reset("clearing", 1, 1);
-    let cleared = m.reg_reset("cleared", tile_bits, 0);
+    let cleared = m.reg_reset("cleared", place_bits, 0);
     m.next_if(cleared, clearing, cleared.add_lit(1));
     m.next_if(clearing, cleared.all(), bit(false));
     let second = m.reg_reset("second", 1, 0);
@@ -121,13 +122,14 @@ pub fn module(config: &Config) -> Module {
     m.next(appending, appends);
     let appended = input.record.register(&mut m, config, "appended_", appends);
 
-    let ends = m.memory_unordered("ends", 1 << tile_bits, width::<End>(config));
-    let found = m.read(ends, "found", second.mux(input.record.tile, waiting.record.tile));
+    let ends = m.memory_unordered("ends", 1 << place_bits, width::<End>(config));
+    let place = |tile| share::place(config, tile);
+    let found = m.read(ends, "found", second.mux(place(input.record.tile), place(waiting.record.tile)));
     let found = End::unpack(config, found);
     let end = End { valid: appending.expr(), last: appended.pointer };
-    let written_tile = appending.mux(appended.tile, opened.tile);
+    let written = appending.mux(place(appended.tile), place(opened.tile));
     let writes = clearing | (appending | opening);
-    m.write(ends, writes, clearing.mux(cleared, written_tile), end.pack(config));
+    m.write(ends, writes, clearing.mux(cleared, written), end.pack(config));
     let meets_opened = m.reg("meets_opened", 1);
     m.next(meets_opened, opening & input.record.tile.eq(opened.tile));
     let meets_appended = m.reg("meets_appended", 1);

@@ -2,8 +2,11 @@
 //! thesis section it implements.
 
 pub mod accumulator;
+pub mod collector;
 pub mod depth_test;
+pub mod distributor;
 pub mod heap;
+pub mod lane;
 pub mod lists;
 pub mod normalizer;
 pub mod rasterizer;
@@ -26,10 +29,11 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last.
-pub const UNITS: [(&Unit<Config>, Describe); 13] = [
+pub const UNITS: [(&Unit<Config>, Describe); 16] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
+    (&units::distributor::UNIT, |config| Ok(distributor::module(config, 0))),
     (&units::heap::UNIT, |config| Ok(heap::module(config))),
     (&units::lists::UNIT, |config| Ok(lists::module(config))),
     (&units::reorder::UNIT, |config| Ok(reorder::module(config))),
@@ -38,6 +42,8 @@ pub const UNITS: [(&Unit<Config>, Describe); 13] = [
     (&units::weighting::UNIT, |config| Ok(weighting::datapath(config, &Options::default())?.module)),
     (&units::depth_test::UNIT, |config| Ok(depth_test::module(config))),
     (&units::accumulator::UNIT, |config| Ok(accumulator::module(config))),
+    (&units::lane::UNIT, |config| Ok(lane::lane(config, &Options::default())?.module)),
+    (&units::collector::UNIT, |config| Ok(collector::module(config))),
     (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
     (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
 ];

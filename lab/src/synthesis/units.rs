@@ -184,11 +184,18 @@ fn operators() -> Vec<MeasuredUnit> {
     formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
 }
 
-/// Every unit of the renderer, at `ecp5`; the whole of it is a core.
+/// Every unit of the renderer, at `ecp5`, but for those of which there is nothing but other units; those between lanes, too.
 fn splat_units() -> Vec<MeasuredUnit> {
-    let whole = splat_spec::units::top::UNIT.module;
-    let parts = splat::UNITS.into_iter().filter(|(unit, _)| unit.module != whole);
-    parts.map(|(unit, describe)| MeasuredUnit::new(unit.module, move || describe(&ecp5()))).collect()
+    use splat_spec::units::{lane, top};
+    let is_measured = |unit: &Unit<splat_spec::Config>| ![lane::UNIT.module, top::UNIT.module].contains(&unit.module);
+    let units = splat::UNITS.into_iter().filter(|(unit, _)| is_measured(unit));
+    let measured = units.map(|(unit, describe)| {
+        MeasuredUnit::new(unit.module, move || {
+            let two = splat_spec::Config { rasterizers: 2, ..ecp5() };
+            describe(&if (unit.is_present)(&ecp5()) { ecp5() } else { two })
+        })
+    });
+    measured.collect()
 }
 
 /// Every unit of the search core, at `knn`; the two caches that it leaves out, too.

@@ -5,7 +5,7 @@ use super::memory::ReconstructionBuffer;
 use crate::generated::Progress;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Fragment, UniformWrite};
-use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents};
+use pointcore_contract::splat::units::Events;
 use pointcore_contract::{read, words, write};
 use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
@@ -15,7 +15,7 @@ const MEMORY_LATENCY_CYCLES: u64 = 24;
 /// Cycles between two reports of progress.
 const PROGRESS_INTERVAL_CYCLES: u64 = 1024;
 
-/// Cycles of each of the core's [`Events`].
+/// Cycles of each of the core's [`Events`], of all its rasterizers together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EventCounts {
     /// The rasterizer evaluated a sample.
@@ -35,9 +35,7 @@ pub struct EventCounts {
 impl EventCounts {
     /// Counts what happened in a cycle.
     fn add(&mut self, events: &Events) {
-        let Events { rasterizer, accumulator } = *events;
-        let RasterizerEvents { sample, starved, blocked } = rasterizer;
-        let AccumulatorEvents { accumulate, hazard, slot_wait } = accumulator;
+        let Events { sample, starved, blocked, accumulate, hazard, slot_wait } = *events;
         self.sample += u64::from(sample);
         self.starved += u64::from(starved);
         self.blocked += u64::from(blocked);

@@ -218,7 +218,7 @@ impl SplatReport {
     pub fn new(run: &SplatRun) -> Self {
         let SplatCounters { cycles, events, pixels_read, pixels_written } = *run.counters;
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
-        let share = |count: u64| count as f64 / cycles.max(1) as f64;
+        let share = |count: u64| count as f64 / (cycles.max(1) * u64::from(run.config.rasterizers)) as f64;
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
         let differences = Differences::of(run.frame, run.reference, run.config);
         let is_comparable = [run.frame, run.reference].iter().any(|frame| frame.pixels.iter().any(Option::is_some));

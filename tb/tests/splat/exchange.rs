@@ -168,6 +168,7 @@ impl Exchange {
             data: self.beats.front().copied().filter(|_| offers[2]),
             write_ready: write,
             pixel_ready: pixel,
+            number: 0,
             retire: accumulator.retire,
             frame_end: accumulator.frame_end,
             drained: accumulator.drained,

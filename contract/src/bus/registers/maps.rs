@@ -152,8 +152,11 @@ pub fn common(identity: u32, events: &[Field]) -> Vec<Register> {
     let errors = ERRORS.map(|(counter, name, doc)| (name, doc.to_owned(), RegisterKind::Errors(counter)));
     let run = RUN_COUNTERS.map(|(counter, name, doc)| (name, doc.to_owned(), RegisterKind::Run(counter)));
     let common = (COUNTERS..).step_by(4).zip(errors.into_iter().chain(run));
-    let events = events.iter().enumerate().map(|(place, Field { name, .. })| {
-        let doc = format!("cycles of the run in which `{name}` was high");
+    let events = events.iter().enumerate().map(|(place, Field { name, width, .. })| {
+        let doc = match width {
+            1 => format!("cycles of the run in which `{name}` was high"),
+            _ => format!("sum of `{name}` over the cycles of the run"),
+        };
         (name.as_str(), doc, RegisterKind::Run(RunCounter::Event(place)))
     });
     let counters = common.chain((EVENTS..).step_by(4).zip(events));

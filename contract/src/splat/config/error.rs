@@ -14,6 +14,21 @@ pub enum ConfigError {
     /// A pace the heap does not have.
     #[error("`heap_interval` = {0}: expected 2 cycles an operation, or 4 for a higher clock")]
     HeapInterval(u32),
+    /// A number of rasterizers that tiles cannot be dealt out to evenly.
+    #[error("`rasterizers` = {0}: expected 1, 2, 4 or 8")]
+    Rasterizers(u32),
+    /// An image with fewer columns of tiles than rasterizers.
+    #[error(
+        "`rasterizers` = {rasterizers} with `width` = {width}: expected {most} at most, as many as there are columns of tiles"
+    )]
+    NarrowImage {
+        /// Samples in a row.
+        width: u32,
+        /// Rasterizers.
+        rasterizers: u32,
+        /// As many as there may be.
+        most: u32,
+    },
     /// A row of samples that ends within a pixel.
     #[error(
         "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"

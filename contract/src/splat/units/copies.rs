@@ -69,6 +69,10 @@ pub struct TileCache {
     /// A bit for each slot that may be accumulated into.
     #[bits(config.tile_slots)]
     slot_ready: Output<u64>,
+    /// The number of the rasterizer whose tiles these are.
+    #[when(config.rasterizers > 1)]
+    #[bits(config.rasterizer_bits())]
+    number: Input<u8>,
     /// The accumulator is done with a copy.
     retire: PulseIn<Slot>,
     /// The accumulator is done with the frame.

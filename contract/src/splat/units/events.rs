@@ -31,11 +31,40 @@ pub struct AccumulatorEvents {
     pub slot_wait: bool,
 }
 
-/// What the core did.
+/// What a lane did.
+#[record(config: Config)]
+pub struct LaneEvents {
+    /// Its rasterizer.
+    pub rasterizer: RasterizerEvents,
+    /// Its accumulator.
+    pub accumulator: AccumulatorEvents,
+}
+
+/// What the core did: numbers of its rasterizers or accumulators.
 #[record(config: Config)]
 pub struct Events {
-    /// The rasterizer.
-    pub rasterizer: RasterizerEvents,
-    /// The accumulator.
-    pub accumulator: AccumulatorEvents,
+    /// Rasterizers that evaluated a sample.
+    #[name("event_sample")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub sample: u8,
+    /// Rasterizers that had no copy to work on.
+    #[name("event_starved")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub starved: u8,
+    /// Rasterizers whose pipeline was held by what follows it.
+    #[name("event_blocked")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub blocked: u8,
+    /// Accumulators that took a sample.
+    #[name("event_accumulate")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub accumulate: u8,
+    /// Accumulators that waited for an earlier sample of the same pixel.
+    #[name("event_hazard")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub hazard: u8,
+    /// Accumulators that waited for a tile to arrive in the cache.
+    #[name("event_slot_wait")]
+    #[bits(config.rasterizer_bits() + 1)]
+    pub slot_wait: u8,
 }

@@ -2,12 +2,14 @@
 
 mod copies;
 mod events;
+mod lanes;
 mod samples;
 mod splats;
 mod whole;
 
 pub use copies::{heap, lists, reorder, splitter, tile_cache};
-pub use events::{AccumulatorEvents, Events, RasterizerEvents};
+pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
+pub use lanes::{collector, distributor, lane};
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
 pub use splats::{setup, transform};
 pub use whole::top;
@@ -16,10 +18,11 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last.
-pub static UNITS: [&Unit<Config>; 13] = [
+pub static UNITS: [&Unit<Config>; 16] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
+    &distributor::UNIT,
     &heap::UNIT,
     &lists::UNIT,
     &reorder::UNIT,
@@ -28,6 +31,8 @@ pub static UNITS: [&Unit<Config>; 13] = [
     &weighting::UNIT,
     &depth_test::UNIT,
     &accumulator::UNIT,
+    &lane::UNIT,
+    &collector::UNIT,
     &normalizer::UNIT,
     &top::UNIT,
 ];

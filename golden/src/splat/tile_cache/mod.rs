@@ -8,6 +8,7 @@ mod moves;
 #[cfg(test)]
 mod tests;
 
+use super::parts::share::Share;
 use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
 use moves::{Drain, Job, JobStep};
@@ -57,9 +58,11 @@ enum FlushStep {
 /// The tile cache.
 #[derive(Clone, Debug)]
 pub struct TileCache {
+    share: Share,
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
+    /// By a tile's place among those of the rasterizer.
     touched: Vec<bool>,
     mode: Mode,
     job: Option<Job>,
@@ -79,9 +82,10 @@ impl TileCache {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
+            share: Share::new(config),
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
-            touched: vec![false; 1 << config.tile_bits()],
+            touched: vec![false; 1 << config.place_bits()],
             mode: Mode::Clear(0),
             job: None,
             frame_ended: false,
@@ -162,7 +166,7 @@ impl TileCache {
         match &mut job.step {
             JobStep::Read => job.step = JobStep::Lookup,
             JobStep::Lookup => {
-                let load = std::mem::replace(&mut self.touched[job.tile as usize], true);
+                let load = std::mem::replace(&mut self.touched[self.share.place(job.tile) as usize], true);
                 if load {
                     self.read = Some(Tile { tile: job.tile });
                 }
@@ -191,8 +195,9 @@ impl TileCache {
     }
 
     /// A cycle of mode *flush*: returns what goes to normalization.
-    fn flush(&mut self, code: usize, step: FlushStep, data: Option<Pixel>, drained: Pixel) -> Option<FinishedPixel> {
-        let tile = code as u32;
+    fn flush(&mut self, (code, step): (usize, FlushStep), inputs: &In, data: Option<Pixel>) -> Option<FinishedPixel> {
+        let tile = self.share.tile(inputs.number.into(), code as u32);
+        let drained = inputs.drained;
         let room = self.pixel.in_ready();
         let finished = |pixel, value: Pixel| {
             let placed = PlacedPixel { tile, pixel, value };
@@ -280,7 +285,7 @@ impl Model for TileCache {
                 self.mode = Mode::Flush(0, FlushStep::Read);
             }
             Mode::Wait => {}
-            Mode::Flush(code, step) => pixel = self.flush(code, step, data, inputs.drained),
+            Mode::Flush(code, step) => pixel = self.flush((code, step), inputs, data),
         }
         let written = job.and_then(|job| self.clock_job(job, data, inputs.drained, fills));
         if let Some(Slot { slot }) = inputs.retire {

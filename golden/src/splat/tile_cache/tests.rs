@@ -67,6 +67,7 @@ impl Surroundings {
             data: self.beats.front().copied().filter(|_| random.bool()),
             write_ready: random.bool(),
             pixel_ready: random.bool(),
+            number: 0,
             retire,
             frame_end,
             drained: self.drained,

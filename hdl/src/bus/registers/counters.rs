@@ -13,7 +13,7 @@ const CYCLES_A_VISIT: u32 = 4;
 
 /// What a counter counts.
 pub(super) struct Counter {
-    /// Counts those that are high.
+    /// Adds them up.
     pub sources: Vec<Expr>,
     /// Sets it to zero.
     pub clear: Expr,
@@ -27,9 +27,9 @@ pub(super) struct Answer {
     pub value: Expr,
 }
 
-/// How many of the bits are set.
-fn population(bits: &[Expr], width: u32) -> Expr {
-    bits.iter().map(|bit| bit.zext(width)).reduce(|sum, bit| sum + bit).unwrap_or_else(|| lit(width, 0))
+/// The sum of some numbers.
+fn sum(numbers: &[Expr], width: u32) -> Expr {
+    numbers.iter().map(|number| number.zext(width)).reduce(|sum, number| sum + number).unwrap_or_else(|| lit(width, 0))
 }
 
 /// Counts; reads the counter `asked` where `asks` is set, which is to fall with the answer.
@@ -78,10 +78,11 @@ pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: 
 
 /// A counter's own bits: what it has counted since its last visit, and whether its word in memory is void.
 fn own_bits(m: &mut Module, index: u32, count: u32, counter: &Counter, visits: Expr) -> [Reg; 2] {
-    let most = counter.sources.len() as u32 * CYCLES_A_VISIT * (count + 1);
+    let most =
+        counter.sources.iter().map(|source| (1 << source.width()) - 1).sum::<u32>() * CYCLES_A_VISIT * (count + 1);
     let width = index_bits(most + 1);
     let part = m.reg_reset(&format!("part_{index}"), width, 0);
-    let more = population(&counter.sources, width);
+    let more = sum(&counter.sources, width);
     m.assert(&format!("part_{index}_has_room"), !part.add_carry(more).msb());
     let starts_anew = visits | counter.clear;
     m.next(part, starts_anew.mux(more, part + more));

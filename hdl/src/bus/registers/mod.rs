@@ -124,7 +124,7 @@ pub fn module<M: RegisterMap>(config: &M::Config, sources: ErrorSources) -> Modu
     let [taken, sent] = [ports.packet_taken, ports.packet_sent].map(|port| port.declare_word(&mut m, 1));
     let events = ports.events.declare(&mut m, config).values(config);
     let in_run = [bit(true), taken, sent].into_iter().chain(events);
-    let in_run = in_run.map(|event| Counter { sources: vec![event & busy], clear: start.expr() });
+    let in_run = in_run.map(|event| Counter { sources: vec![event & busy.repeat(event.width())], clear: start.expr() });
     let errors = errors.into_iter().map(|sources| Counter { sources, clear: clear_errors.expr() });
     let counted: Vec<Counter> = errors.chain(in_run).collect();
 

@@ -1,3 +1,4 @@
 //! What several units of the renderer share.
 
 pub(crate) mod division;
+pub(crate) mod share;

@@ -10,6 +10,7 @@ use pointcore_contract::splat::config::PLACED_QUEUE_DEPTH;
 use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, SplatCopy, Tile};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
+use super::parts::share;
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Head;
 use crate::units::wires::Wires;
@@ -63,8 +64,8 @@ fn sequence(
     let skipped = state.is(Mode::Check) & !touched;
     let next_tile = m.wire("next_tile", slot_sent | memory_sent | skipped);
     let clear = state.is(Mode::Clear);
-    let last = m.wire("last_code", state.code.all());
-    m.next_if(state.code, clear | next_tile, state.code.add_lit(1));
+    let last = m.wire("last_place", state.place.all());
+    m.next_if(state.place, clear | next_tile, state.place.add_lit(1));
     m.next(state.code_read, state.is(Mode::Look) & !state.code_read);
 
     let source = sent.found.mux(mode(Mode::FromSlot), mode(Mode::FromMemory));
@@ -89,7 +90,7 @@ fn follow_job(
     [start, done]: [Expr; 2],
     touched: Expr,
     directory: &Directory,
-    tile: Expr,
+    [tile, sent]: [Expr; 2],
 ) {
     m.next(state.looking, start);
     m.next(state.looked, state.looking);
@@ -99,7 +100,7 @@ fn follow_job(
     m.next_if(state.evict_tile, start, directory.next_tile);
     let check = state.is(Mode::Check);
     m.next_if(state.slot, start | check, check.mux(directory.sent.slot, directory.next_slot()));
-    m.next_if(state.tile, start | check, check.mux(state.code, tile));
+    m.next_if(state.tile, start | check, check.mux(sent, tile));
 }
 
 /// The unit.
@@ -130,21 +131,24 @@ pub fn sized(config: &Config, first_pixel: u32, ahead: u32) -> Module {
     let retire = PORTS.retire.declare(&mut m, config);
     let frame_end = PORTS.frame_end.declare_word(&mut m, 1);
 
-    let touched_tiles = m.memory_unordered("touched_tiles", 1 << config.tile_bits(), 1);
-    let look_at = state.is(Mode::Look).mux(state.code, tile);
+    let number = (config.rasterizers > 1).then(|| PORTS.number.declare_word(&mut m, config.rasterizer_bits()));
+    let sent = share::tile(config, number, *state.place);
+    let place_of = |tile| share::place(config, tile);
+    let touched_tiles = m.memory_unordered("touched_tiles", 1 << config.place_bits(), 1);
+    let look_at = state.is(Mode::Look).mux(state.place, place_of(tile));
     let stored = m.read(touched_tiles, "stored_touched", look_at);
     let touched = m.reg("touched", 1);
     m.next(touched, stored);
     let check = state.is(Mode::Check);
     let touch = state.looked | (state.is(Mode::Clear) | (check & touched));
-    m.write(touched_tiles, touch, state.looked.mux(state.tile, state.code), state.looked);
+    m.write(touched_tiles, touch, state.looked.mux(place_of(*state.tile), state.place), state.looked);
 
     let placement = place(&mut m, config, &state, &directory, &head, out);
     let fill_valid = m.reg_reset("fill_valid", 1, 0);
     let moves = exchange(&mut m, &state, &data, &write, &pixel, fill_valid);
     let (finish, close) = sequence(&mut m, &state, &placement, *touched, &directory.sent, pixel.room);
     m.next_if(state.frame_ended, frame_end | finish, frame_end);
-    follow_job(&mut m, &state, [placement.start, moves.done], *touched, &directory, tile);
+    follow_job(&mut m, &state, [placement.start, moves.done], *touched, &directory, [tile, sent]);
     let raise_read = touched & (state.looked | (check & !directory.sent.found));
     m.next_if(state.read_valid, raise_read | read_ready, raise_read);
 
@@ -154,7 +158,7 @@ pub fn sized(config: &Config, first_pixel: u32, ahead: u32) -> Module {
     let drained = SlotPixel { slot: *state.slot, pixel: state.drained.trunc(PIXEL_BITS) };
     PORTS.drain.drive(&mut m, config, moves.step, drained);
     let held = PORTS.drained.declare(&mut m, config);
-    push_pixels(&mut m, config, &state, &moves, close, [held, data.record], (write, pixel));
+    push_pixels(&mut m, config, &state, &moves, (close, sent), [held, data.record], (write, pixel));
 
     let changes = Changes {
         allocate: placement.start,
@@ -166,7 +170,7 @@ pub fn sized(config: &Config, first_pixel: u32, ahead: u32) -> Module {
         close: finish,
         clear: close,
     };
-    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.tile, code: *state.code };
+    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.tile, code: sent };
     directory.update(&mut m, &lookup, &changes);
     m
 }

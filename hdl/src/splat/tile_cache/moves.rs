@@ -74,7 +74,7 @@ pub(super) fn push_pixels(
     config: &Config,
     state: &State,
     moves: &Moves,
-    close: Expr,
+    (close, tile): (Expr, Expr),
     [held, data]: [Pixel<Wires>; 2],
     (write, pixel): (QueueOut<PlacedPixel>, QueueOut<FinishedPixel>),
 ) {
@@ -82,7 +82,7 @@ pub(super) fn push_pixels(
     write.push(m, config, state.moving & moves.leaves, evicted);
     let from_slot = state.is(Mode::FromSlot);
     let sent = PlacedPixel {
-        tile: *state.code,
+        tile,
         pixel: from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS)),
         value: Bundle::choose(config, from_slot, held, data),
     };

@@ -34,8 +34,8 @@ pub(super) struct State {
     pub first_pixel: u32,
     pub mode: Reg,
     pub frame_ended: Reg,
-    /// The tile code that is cleared or sent.
-    pub code: Reg,
+    /// The place of the tile that is cleared or sent, among those of the rasterizer.
+    pub place: Reg,
     /// Whether that tile was touched is in the memory's output.
     pub code_read: Reg,
     /// The job of a tile that was missed: first a look, two cycles long, at whether the tile was touched, then the exchange.
@@ -68,7 +68,7 @@ impl State {
             first_pixel,
             mode: m.reg_reset("mode", address_width(Mode::Close as u32 + 1), Mode::Clear as u128),
             frame_ended: m.reg_reset("frame_ended", 1, 0),
-            code: m.reg_reset("code", tile_bits, 0),
+            place: m.reg_reset("place", config.place_bits(), 0),
             code_read: m.reg_reset("code_read", 1, 0),
             looking: m.reg_reset("looking", 1, 0),
             looked: m.reg_reset("looked", 1, 0),

@@ -70,15 +70,21 @@ impl Layout {
     }
 }
 
-/// What passes between rasterizer and accumulator, counted where it lies in the image.
+/// What is under way between a rasterizer and its accumulator.
 #[derive(Clone, Debug)]
-pub struct SampleMaps {
-    layout: Layout,
-    sampling: Sampling,
+struct Lane {
     /// The tile in each slot of the tile cache, for the copies passed on last.
     tiles: Vec<u32>,
     /// Samples inside their splat that the accumulator has not taken yet, by tile and pixel.
     waiting: VecDeque<u32>,
+}
+
+/// What passes between rasterizers and accumulators, counted where it lies in the image.
+#[derive(Clone, Debug)]
+pub struct SampleMaps {
+    layout: Layout,
+    sampling: Sampling,
+    lanes: Vec<Lane>,
     evaluated: Vec<u32>,
     inside: Vec<u32>,
     hazards: Vec<u32>,
@@ -88,18 +94,19 @@ impl SampleMaps {
     pub(super) fn new(config: &Config) -> Self {
         let layout = Layout::new(config);
         let zeros = vec![0; layout.tiles() * PIXELS];
-        let tiles = vec![0; config.tile_slots as usize];
+        let lane = Lane { tiles: vec![0; config.tile_slots as usize], waiting: VecDeque::new() };
+        let lanes = vec![lane; config.rasterizers as usize];
         let (evaluated, inside) = (zeros.clone(), zeros.clone());
         let sampling = config.sampling;
-        Self { layout, sampling, tiles, waiting: VecDeque::new(), evaluated, inside, hazards: zeros }
+        Self { layout, sampling, lanes, evaluated, inside, hazards: zeros }
     }
 
-    /// The rasterizer takes a copy: it will evaluate each sample of its octagon.
-    pub(super) fn copy(&mut self, PlacedCopy { copy, slot }: &PlacedCopy) {
+    /// A rasterizer takes a copy: it will evaluate each sample of its octagon.
+    pub(super) fn copy(&mut self, lane: usize, PlacedCopy { copy, slot }: &PlacedCopy) {
         if copy.end {
             return;
         }
-        self.tiles[usize::from(*slot)] = copy.tile;
+        self.lanes[lane].tiles[usize::from(*slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
         for row in copy.bounds.top..=copy.bounds.bottom {
             let columns = columns(self.sampling, copy, row).map(usize::from);
@@ -107,23 +114,24 @@ impl SampleMaps {
         }
     }
 
-    /// The accumulator's queue takes a sample. A slot's tile is replaced only when none of its samples is on its way.
-    pub(super) fn sample(&mut self, place: &SamplePlace) {
+    /// An accumulator's queue takes a sample. A slot's tile is replaced only when none of its samples is on its way.
+    pub(super) fn sample(&mut self, lane: usize, place: &SamplePlace) {
         if place.inside {
-            let index = self.tiles[usize::from(place.slot)] * TILE_PIXELS + u32::from(place.pixel);
+            let lane = &mut self.lanes[lane];
+            let index = lane.tiles[usize::from(place.slot)] * TILE_PIXELS + u32::from(place.pixel);
             self.inside[index as usize] += 1;
-            self.waiting.push_back(index);
+            lane.waiting.push_back(index);
         }
     }
 
-    /// The accumulator took the sample that waited longest.
-    pub(super) fn accumulated(&mut self) {
-        self.waiting.pop_front();
+    /// An accumulator took the sample that waited longest.
+    pub(super) fn accumulated(&mut self, lane: usize) {
+        self.lanes[lane].waiting.pop_front();
     }
 
     /// The sample that waits longest waits for an earlier one of its pixel.
-    pub(super) fn hazard(&mut self) {
-        if let Some(index) = self.waiting.front() {
+    pub(super) fn hazard(&mut self, lane: usize) {
+        if let Some(index) = self.lanes[lane].waiting.front() {
             self.hazards[*index as usize] += 1;
         }
     }
@@ -160,14 +168,14 @@ mod tests {
         let bounds = TileRectangle { left: 0, right: 1, top: 3, bottom: 4 };
         // In the upper row the first column alone, and both in the lower one.
         let diagonals = TileDiagonals { first_sum: 0, last_sum: 14, first_difference: 0, last_difference: 4 };
-        maps.copy(&PlacedCopy { copy: SplatCopy { tile, bounds, diagonals, ..SplatCopy::default() }, slot: 1 });
-        maps.copy(&PlacedCopy { copy: SplatCopy { end: true, bounds, ..SplatCopy::default() }, slot: 0 });
+        maps.copy(0, &PlacedCopy { copy: SplatCopy { tile, bounds, diagonals, ..SplatCopy::default() }, slot: 1 });
+        maps.copy(0, &PlacedCopy { copy: SplatCopy { end: true, bounds, ..SplatCopy::default() }, slot: 0 });
         let place = SamplePlace { inside: true, slot: 1, pixel: 3 * 8 + 1, ..SamplePlace::default() };
-        maps.sample(&place);
-        maps.sample(&SamplePlace { inside: false, ..place });
-        maps.hazard();
-        maps.accumulated();
-        maps.hazard();
+        maps.sample(0, &place);
+        maps.sample(0, &SamplePlace { inside: false, ..place });
+        maps.hazard(0);
+        maps.accumulated(0);
+        maps.hazard(0);
         let places = |map: Map| {
             let set = map.counts.iter().enumerate().filter(|(_, count)| **count > 0);
             let set: Vec<_> = set.map(|(index, count)| (index % map.width, index / map.width, *count)).collect();

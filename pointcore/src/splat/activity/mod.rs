@@ -35,7 +35,13 @@ impl Activity {
     pub fn at_ports(config: &Config) -> Self {
         let layout = Layout::new(config);
         let evictions = layout.zeros_by_tile();
-        Self { layout, timeline: Timeline::default(), evictions, states: States::new(config), samples: None }
+        Self {
+            layout,
+            timeline: Timeline::new(config.rasterizers),
+            evictions,
+            states: States::new(config),
+            samples: None,
+        }
     }
 
     /// Nothing yet; what passes between the units is going to be seen.
@@ -50,26 +56,28 @@ impl Activity {
         let write = write.as_ref();
         self.see_eviction(inputs, write);
         let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready: *data_ready, write };
-        self.timeline.push(states::at_ports(&memory, &events.rasterizer, &events.accumulator));
+        self.timeline.push(&states::at_ports(&memory, events, self.timeline.count(Unit::Rasterizer)));
     }
 
     /// Sees a cycle of all units.
     pub fn see_units(&mut self, inputs: &In, shown: &Shown) {
-        self.see_eviction(inputs, shown.tile_cache.write.as_ref());
-        self.timeline.push(self.states.see(inputs, shown));
+        self.see_eviction(inputs, shown.lanes.ports().write.as_ref());
+        self.timeline.push(&self.states.see(inputs, shown));
         let Some(samples) = &mut self.samples else { return };
-        // Events tell of the cycle before: they come before what is handed over in this one.
-        let events = &shown.accumulator.events;
-        if events.accumulate {
-            samples.accumulated();
-        } else if events.hazard {
-            samples.hazard();
-        }
-        if let Some(copy) = shown.tile_cache.out.as_ref().filter(|_| shown.rasterizer.in_ready) {
-            samples.copy(copy);
-        }
-        if let Some(sample) = shown.weighting.out.as_ref().filter(|_| shown.accumulator.in_ready) {
-            samples.sample(&sample.place);
+        for (number, lane) in shown.lanes.lanes.iter().enumerate() {
+            // Events tell of the cycle before: they come before what is handed over in this one.
+            let events = &lane.accumulator.events;
+            if events.accumulate {
+                samples.accumulated(number);
+            } else if events.hazard {
+                samples.hazard(number);
+            }
+            if let Some(copy) = lane.tile_cache.out.as_ref().filter(|_| lane.rasterizer.in_ready) {
+                samples.copy(number, copy);
+            }
+            if let Some(sample) = lane.weighting.out.as_ref().filter(|_| lane.accumulator.in_ready) {
+                samples.sample(number, &sample.place);
+            }
         }
     }
 

@@ -1,9 +1,10 @@
 //! What each unit does in a cycle, as its streams and events tell.
 
-use super::timeline::{State, Unit};
+use super::timeline::{Counts, State, Unit};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::PlacedPixel;
-use pointcore_contract::splat::units::{AccumulatorEvents, RasterizerEvents};
+use pointcore_contract::splat::units::Events;
+use pointcore_golden::splat::lane;
 use pointcore_golden::splat::top::{In, Shown};
 
 /// Cycles that a copy is under way in the tile cache without anything moving, unless it waits for a slot.
@@ -98,12 +99,8 @@ impl Passage {
 pub(super) struct States {
     transform: Datapath,
     setup: Datapath,
-    weighting: Datapath,
     normalizer: Datapath,
-    reorder: Passage,
-    tile_cache: Passage,
-    /// The tile cache sends what it has to normalization.
-    is_flushing: bool,
+    lanes: Vec<Lane>,
 }
 
 impl States {
@@ -111,45 +108,73 @@ impl States {
         Self {
             transform: Datapath::new(config.transform_interval),
             setup: Datapath::new(config.setup_interval),
-            weighting: Datapath::new(1),
             normalizer: Datapath::new(1),
-            reorder: Passage::default(),
-            tile_cache: Passage::default(),
-            is_flushing: false,
+            lanes: vec![Lane::default(); config.rasterizers as usize],
         }
     }
 
-    /// What each unit does in this cycle, in the order of [`Unit::ALL`].
-    pub(super) fn see(&mut self, inputs: &In, shown: &Shown) -> [State; Unit::ALL.len()] {
-        let Shown { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, normalizer } =
-            shown;
+    /// What each unit does in this cycle.
+    pub(super) fn see(&mut self, inputs: &In, shown: &Shown) -> Counts {
+        let Shown { transform, setup, splitter, lanes, normalizer } = shown;
+        let lane::Out { in_ready, read, data_ready, ref write, ref pixel, .. } = lanes.ports();
         let splats = Stream::new(inputs.splat.as_ref(), transform.in_ready);
         let placed = Stream::new(transform.out.as_ref(), setup.in_ready);
         let footprints = Stream::new(setup.out.as_ref(), splitter.in_ready);
-        let copies = Stream::new(splitter.out.as_ref(), reorder.in_ready);
+        let copies = Stream::new(splitter.out.as_ref(), in_ready);
+        let finished = Stream::new(pixel.as_ref(), normalizer.in_ready);
+        let fragments = Stream::new(normalizer.out.as_ref(), inputs.fragment_ready);
+
+        let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready, write: write.as_ref() };
+        let mut counts = at_ports(&memory, &lanes.events(), lanes.lanes.len() as u32);
+        counts.add(Unit::Transform, self.transform.see(splats, placed), 1);
+        counts.add(Unit::Setup, self.setup.see(placed, footprints), 1);
+        // It makes several copies of a splat, so what is in it cannot be counted.
+        counts.add(Unit::Splitter, Passage::default().see(footprints, copies), 1);
+        counts.add(Unit::Normalizer, self.normalizer.see(finished, fragments), 1);
+        let seen = lanes.seen(&shown.lanes_see(inputs, 0));
+        for ((lane, shown), seen) in self.lanes.iter_mut().zip(&lanes.lanes).zip(&seen[lanes.lanes.len()..]) {
+            lane.see(seen, shown, &mut counts);
+        }
+        counts
+    }
+}
+
+/// What is to be remembered of a lane.
+#[derive(Clone, Debug)]
+struct Lane {
+    reorder: Passage,
+    tile_cache: Passage,
+    weighting: Datapath,
+    /// The tile cache sends what it has to normalization.
+    is_flushing: bool,
+}
+
+impl Default for Lane {
+    fn default() -> Self {
+        Self {
+            reorder: Passage::default(),
+            tile_cache: Passage::default(),
+            weighting: Datapath::new(1),
+            is_flushing: false,
+        }
+    }
+}
+
+impl Lane {
+    /// What its units do, but for those that its events tell of.
+    fn see(&mut self, inputs: &lane::In, shown: &lane::Shown, counts: &mut Counts) {
+        let lane::Shown { reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let copies = Stream::new(inputs.input.as_ref(), reorder.in_ready);
         let ordered = Stream::new(reorder.out.as_ref(), tile_cache.in_ready);
         let samples = Stream::new(rasterizer.out.as_ref(), weighting.in_ready);
         let weighted = Stream::new(weighting.out.as_ref(), accumulator.in_ready);
-        let finished = Stream::new(tile_cache.pixel.as_ref(), normalizer.in_ready);
-        let fragments = Stream::new(normalizer.out.as_ref(), inputs.fragment_ready);
-
-        let write = tile_cache.write.as_ref();
-        let memory =
-            MemoryPort { inputs, is_reading: tile_cache.read.is_some(), data_ready: tile_cache.data_ready, write };
-        let mut states = at_ports(&memory, &rasterizer.events, &accumulator.events);
-        let mut set = |unit: Unit, state| states[unit as usize] = state;
-        set(Unit::Transform, self.transform.see(splats, placed));
-        set(Unit::Setup, self.setup.see(placed, footprints));
-        // It makes several copies of a splat, so what is in it cannot be counted.
-        set(Unit::Splitter, Passage::default().see(footprints, copies));
-        set(Unit::Reorder, self.reorder.see(copies, ordered));
-        set(Unit::TileCache, self.tile_cache(ordered, finished, shown));
-        set(Unit::Weighting, self.weighting.see(samples, weighted));
-        set(Unit::Normalizer, self.normalizer.see(finished, fragments));
-        states
+        let finished = Stream::new(tile_cache.pixel.as_ref(), inputs.pixel_ready);
+        counts.add(Unit::Reorder, self.reorder.see(copies, ordered), 1);
+        counts.add(Unit::TileCache, self.tile_cache(ordered, finished, shown), 1);
+        counts.add(Unit::Weighting, self.weighting.see(samples, weighted), 1);
     }
 
-    fn tile_cache(&mut self, ordered: Stream, finished: Stream, shown: &Shown) -> State {
+    fn tile_cache(&mut self, ordered: Stream, finished: Stream, shown: &lane::Shown) -> State {
         let placed = Stream::new(shown.tile_cache.out.as_ref(), shown.rasterizer.in_ready);
         let is_end = shown.tile_cache.pixel.as_ref().is_some_and(|pixel| pixel.end);
         self.is_flushing = (self.is_flushing || shown.accumulator.frame_end) && !(is_end && finished.moves());
@@ -202,31 +227,19 @@ impl MemoryPort<'_> {
 }
 
 /// What the core's ports tell, with nothing of the units behind them.
-pub(super) fn at_ports(
-    memory: &MemoryPort,
-    rasterizer: &RasterizerEvents,
-    accumulator: &AccumulatorEvents,
-) -> [State; Unit::ALL.len()] {
-    let mut states = [State::Other; Unit::ALL.len()];
-    states[Unit::Memory as usize] = memory.state();
-    states[Unit::Rasterizer as usize] = if rasterizer.sample {
-        State::Busy
-    } else if rasterizer.starved {
-        State::Starved
-    } else if rasterizer.blocked {
-        State::Held
-    } else {
-        State::Other
-    };
-    // Without an event no sample inside a splat is at its head.
-    states[Unit::Accumulator as usize] = if accumulator.accumulate {
-        State::Busy
-    } else if accumulator.hazard {
-        State::Pixel
-    } else if accumulator.slot_wait {
-        State::Tile
-    } else {
-        State::Starved
-    };
-    states
+pub(super) fn at_ports(memory: &MemoryPort, events: &Events, rasterizers: u32) -> Counts {
+    let Events { sample, starved, blocked, accumulate, hazard, slot_wait } = *events;
+    let mut counts = Counts::default();
+    counts.add(Unit::Memory, memory.state(), 1);
+    // Without an event no sample inside a splat is at the head of an accumulator.
+    let rasterizer = [(State::Busy, sample), (State::Starved, starved), (State::Held, blocked)];
+    let accumulator = [(State::Busy, accumulate), (State::Pixel, hazard), (State::Tile, slot_wait)];
+    for (unit, states, otherwise) in
+        [(Unit::Rasterizer, rasterizer, State::Other), (Unit::Accumulator, accumulator, State::Starved)]
+    {
+        let told = states.map(|(_, count)| u32::from(count));
+        states.iter().zip(told).for_each(|((state, _), count)| counts.add(unit, *state, count));
+        counts.add(unit, otherwise, rasterizers - told.iter().sum::<u32>());
+    }
+    counts
 }

@@ -71,6 +71,13 @@ impl Unit {
 
 const UNITS: usize = 10;
 
+impl Unit {
+    /// There are as many of it as rasterizers.
+    const fn is_in_lane(self) -> bool {
+        matches!(self, Self::Reorder | Self::TileCache | Self::Rasterizer | Self::Weighting | Self::Accumulator)
+    }
+}
+
 /// What a unit does in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -96,8 +103,20 @@ impl State {
 
 const STATES: usize = 6;
 
-/// Cycles of each unit in each state.
-type Slice = [[u32; STATES]; UNITS];
+/// Cycles of each unit in each state; those of all rasterizers together.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts([[u32; STATES]; UNITS]);
+
+impl Counts {
+    /// So many of a unit were in a state in a cycle.
+    pub const fn add(&mut self, unit: Unit, state: State, count: u32) {
+        self.0[unit as usize][state as usize] += count;
+    }
+
+    fn add_all(&mut self, other: &Self) {
+        self.0.iter_mut().flatten().zip(other.0.iter().flatten()).for_each(|(count, other)| *count += other);
+    }
+}
 
 /// What units did, in slices of equal length but for the last.
 #[derive(Clone, Debug)]
@@ -105,40 +124,36 @@ pub struct Timeline {
     slice_cycles: u64,
     /// Cycles still missing in the last slice.
     missing: u64,
-    slices: Vec<Slice>,
-}
-
-impl Default for Timeline {
-    fn default() -> Self {
-        Self { slice_cycles: FIRST_SLICE_CYCLES, missing: 0, slices: Vec::with_capacity(SLICES) }
-    }
+    slices: Vec<Counts>,
+    rasterizers: u32,
 }
 
 impl Timeline {
+    /// An empty one, of a core of so many rasterizers.
+    pub(super) fn new(rasterizers: u32) -> Self {
+        Self { slice_cycles: FIRST_SLICE_CYCLES, missing: 0, slices: Vec::with_capacity(SLICES), rasterizers }
+    }
+
     /// Adds a cycle.
-    pub(super) fn push(&mut self, states: [State; UNITS]) {
+    pub(super) fn push(&mut self, counts: &Counts) {
         if self.missing == 0 {
             if self.slices.len() == SLICES {
                 self.merge();
             }
-            self.slices.push(Slice::default());
+            self.slices.push(Counts::default());
             self.missing = self.slice_cycles;
         }
         self.missing -= 1;
-        let slice = self.slices.last_mut().expect("one was pushed at the first cycle");
-        for (counts, state) in slice.iter_mut().zip(states) {
-            counts[state as usize] += 1;
-        }
+        self.slices.last_mut().expect("one was pushed at the first cycle").add_all(counts);
     }
 
     fn merge(&mut self) {
-        let merge = |pair: &[Slice]| {
+        let merge = |pair: &[Counts]| {
             let mut sum = pair[0];
-            let others = pair[1..].iter().flatten().flatten();
-            sum.iter_mut().flatten().zip(others).for_each(|(count, other)| *count += other);
+            pair[1..].iter().for_each(|other| sum.add_all(other));
             sum
         };
-        let merged: Vec<Slice> = self.slices.chunks(2).map(merge).collect();
+        let merged: Vec<Counts> = self.slices.chunks(2).map(merge).collect();
         self.slices.clear();
         self.slices.extend(merged);
         self.slice_cycles *= 2;
@@ -156,9 +171,15 @@ impl Timeline {
         self.slices.len() as u64 * self.slice_cycles - self.missing
     }
 
-    /// Cycles of a unit in a state, slice by slice.
+    /// How many there are of a unit.
+    #[must_use]
+    pub const fn count(&self, unit: Unit) -> u32 {
+        if unit.is_in_lane() { self.rasterizers } else { 1 }
+    }
+
+    /// Cycles of a unit in a state, slice by slice; those of all where there are [several](Self::count).
     pub fn row(&self, unit: Unit, state: State) -> impl Iterator<Item = u32> + '_ {
-        self.slices.iter().map(move |slice| slice[unit as usize][state as usize])
+        self.slices.iter().map(move |slice| slice.0[unit as usize][state as usize])
     }
 
     /// Cycles of a unit in a state over the whole run.
@@ -175,10 +196,12 @@ mod tests {
     #[test]
     fn slices_grow_and_no_cycle_is_lost() {
         for cycles in [1_u64, 16, 3_200, 3_201, 12_345, 100_000] {
-            let mut timeline = Timeline::default();
+            let mut timeline = Timeline::new(1);
             for cycle in 0..cycles {
                 let state = if cycle % 3 == 0 { State::Busy } else { State::Held };
-                timeline.push([state; UNITS]);
+                let mut counts = Counts::default();
+                Unit::ALL.into_iter().for_each(|unit| counts.add(unit, state, 1));
+                timeline.push(&counts);
             }
             let busy: u64 = timeline.total(Unit::Normalizer, State::Busy);
             assert_eq!((timeline.cycles(), busy), (cycles, cycles.div_ceil(3)), "{cycles}");

@@ -10,11 +10,11 @@
     for (const canvas of strips.querySelectorAll("canvas")) {
       const scale = window.devicePixelRatio || 1, width = canvas.clientWidth * scale, height = canvas.clientHeight * scale;
       Object.assign(canvas, { width, height });
-      const context = canvas.getContext("2d"), rows = units[canvas.dataset.unit].states;
+      const context = canvas.getContext("2d"), { count, states: rows } = units[canvas.dataset.unit];
       for (let i = 0; i < rows[0].length; i += 1) {
         // Edges lie between pixels, so that slices leave no seams.
         const [left, right] = [i * slice, Math.min((i + 1) * slice, cycles)].map((cycle) => Math.round((cycle / cycles) * width));
-        const length = Math.min((i + 1) * slice, cycles) - i * slice;
+        const length = count * (Math.min((i + 1) * slice, cycles) - i * slice);
         let below = 0;
         rows.forEach((counts, state) => {
           const [low, high] = [below, below + counts[i]].map((count) => Math.round((count / length) * height));
@@ -44,7 +44,8 @@
     const i = Math.min(Math.max(at, 0), unit.states[0].length - 1);
     const end = Math.min((i + 1) * slice, cycles), length = end - i * slice;
     const parts = states.map(({ label }, state) => [label, unit.states[state][i]]).filter(([, count]) => count > 0);
-    const shares = parts.map(([label, count]) => `${label} ${((100 * count) / length).toFixed(0)} %`).join(", ");
+    const share = (count) => ((100 * count) / (unit.count * length)).toFixed(0);
+    const shares = parts.map(([label, count]) => `${label} ${share(count)} %`).join(", ");
     words.textContent = `${unit.name}, cycles ${number(i * slice)} to ${number(end - 1)}: ${shares || "none of these"}`;
   };
   strips.addEventListener("pointermove", point);

@@ -50,7 +50,7 @@ fn strips(units: &[Unit], share: impl Fn(Unit, State) -> String) -> String {
 fn data(timeline: &Timeline, units: &[Unit]) -> Value {
     let row = |unit: &Unit| {
         let states = SHOWN.map(|state| timeline.row(*unit, state).collect::<Vec<_>>());
-        json!({ "name": unit.name(), "states": states })
+        json!({ "name": unit.name(), "count": timeline.count(*unit), "states": states })
     };
     json!({
         "slice": timeline.slice_cycles(),
@@ -64,7 +64,8 @@ fn data(timeline: &Timeline, units: &[Unit]) -> Value {
 pub fn add(page: Page, activity: &Activity, report: &SplatReport) -> Page {
     let (timeline, units) = (activity.timeline(), activity.units());
     let share = |unit: Unit, state: State| {
-        format!("{:.1} %", 100.0 * timeline.total(unit, state) as f64 / report.cycles.max(1) as f64)
+        let cycles = report.cycles.max(1) * u64::from(timeline.count(unit));
+        format!("{:.1} %", 100.0 * timeline.total(unit, state) as f64 / cycles as f64)
     };
     let rows: Vec<Vec<String>> = units
         .iter()
@@ -76,6 +77,13 @@ pub fn add(page: Page, activity: &Activity, report: &SplatReport) -> Page {
         timeline.slice_cycles(),
         timeline.cycles().saturating_sub(report.cycles)
     );
+    if timeline.count(Unit::Rasterizer) > 1 {
+        _ = write!(
+            sentence,
+            " Of reorder stage to accumulator there are {}: a strip shows them together.",
+            timeline.count(Unit::Rasterizer)
+        );
+    }
     if activity.samples().is_none() {
         sentence += " Hardware without its golden model shows its ports alone: of the other units nothing is known.";
     }

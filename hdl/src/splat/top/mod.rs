@@ -1,17 +1,18 @@
 //! The whole core: splats in, fragments out, reconstruction buffer behind a memory port; golden twin:
 //! `pointcore_golden::splat::top`.
 
-use super::{accumulator, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform, weighting};
+mod lanes;
+
+use super::{normalizer, setup, splitter, transform};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
-use crate::units::ports::{
-    InputPorts, OutputPorts, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, held,
-};
+use crate::units::ports::{InputPorts, OutputPorts, PulseInPorts, StreamInPorts, StreamOutPorts, WordPort, held, pipe};
 use crate::units::wires::{Bundle, Wires};
+use lanes::Lanes;
 use pointcore_contract::fields;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{UNIFORM_ADDRESS_BITS, Uniforms};
 use pointcore_contract::splat::units::top::PORTS;
-use pointcore_contract::splat::units::{self, Events};
+use pointcore_contract::splat::units::{self, lane};
 use rtl::{Instance, Module, lit};
 use std::collections::BTreeMap;
 
@@ -24,16 +25,11 @@ pub struct Core {
 }
 
 /// The units as instances, in the order of the data's way.
-#[derive(Clone, Copy)]
 struct Instances {
     transform: Instance,
     setup: Instance,
     splitter: Instance,
-    reorder: Instance,
-    tile_cache: Instance,
-    rasterizer: Instance,
-    weighting: Instance,
-    accumulator: Instance,
+    lanes: Lanes,
     normalizer: Instance,
 }
 
@@ -52,13 +48,10 @@ fn place(
         transform: datapath(m, "transform", transform::datapath(config, options)?),
         setup: datapath(m, "setup", setup::datapath(config, options)?),
         splitter: m.instance("splitter", splitter::module(config)),
-        reorder: m.instance("reorder", reorder::module(config)),
-        tile_cache: m.instance("tile_cache", tile_cache::module(config)),
-        rasterizer: datapath(m, "rasterizer", rasterizer::datapath(config, options)?),
-        weighting: datapath(m, "weighting", weighting::datapath(config, options)?),
-        accumulator: m.instance("accumulator", accumulator::module(config)),
+        lanes: Lanes::place(m, config, options)?,
         normalizer: datapath(m, "normalizer", normalizer::datapath(config, options)?),
     };
+    manifests.extend(instances.lanes.manifests.clone());
     Ok((instances, manifests))
 }
 
@@ -74,7 +67,7 @@ fn uniforms(m: &mut Module, config: &Config) -> Uniforms<Wires> {
 
 /// Connects the units to the uniforms they read.
 fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &Uniforms<Wires>) {
-    let Instances { transform, setup, rasterizer, .. } = *instances;
+    let Instances { transform, setup, ref lanes, .. } = *instances;
     units::transform::PORTS.model_view.feed(m, config, transform, uniforms.model_view);
     units::transform::PORTS.near_plane.feed_word(m, transform, uniforms.near_plane);
     units::setup::PORTS.viewport.feed(m, config, setup, uniforms.viewport);
@@ -84,61 +77,30 @@ fn constants(m: &mut Module, config: &Config, instances: &Instances, uniforms: &
     }
     if config.screen_filter.is_on() {
         units::setup::PORTS.filter_radius.feed_word(m, setup, uniforms.filter_radius);
-        units::rasterizer::PORTS.filter_scale.feed_word(m, rasterizer, uniforms.filter_scale);
+        lanes.filter_scale(m, uniforms.filter_scale);
     }
 }
 
 /// Leads splats through the units, from one to the next.
 fn chain(m: &mut Module, config: &Config, instances: &Instances) {
-    let Instances { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, .. } =
-        *instances;
+    let Instances { transform, setup, splitter, ref lanes, .. } = *instances;
     let splat = PORTS.splat.declare(m, config);
     units::transform::PORTS.input.feed(m, config, transform, splat);
-    let splat = units::transform::PORTS.out.of(m, config, transform);
-    units::setup::PORTS.input.feed(m, config, setup, splat);
-    let splat = units::setup::PORTS.out.of(m, config, setup);
-    units::splitter::PORTS.input.feed(m, config, splitter, splat);
-    let copy = units::splitter::PORTS.out.of(m, config, splitter);
-    units::reorder::PORTS.input.feed(m, config, reorder, copy);
-    let copy = units::reorder::PORTS.out.of(m, config, reorder);
-    units::tile_cache::PORTS.input.feed(m, config, tile_cache, copy);
-    let copy = units::tile_cache::PORTS.out.of(m, config, tile_cache);
-    units::rasterizer::PORTS.input.feed(m, config, rasterizer, copy);
-    let sample = units::rasterizer::PORTS.out.of(m, config, rasterizer);
-    units::weighting::PORTS.input.feed(m, config, weighting, sample);
-    let sample = units::weighting::PORTS.out.of(m, config, weighting);
-    units::accumulator::PORTS.input.feed(m, config, accumulator, sample);
+    pipe(m, config, (transform, units::transform::PORTS.out), (setup, units::setup::PORTS.input));
+    pipe(m, config, (setup, units::setup::PORTS.out), (splitter, units::splitter::PORTS.input));
+    pipe(m, config, (splitter, units::splitter::PORTS.out), (lanes.root.distributor, lane::PORTS.input));
 }
 
-/// Connects the tile cache to the slots in the accumulator.
-fn slots(m: &mut Module, config: &Config, instances: &Instances) {
-    use units::{accumulator, tile_cache};
-    let (cache, slots) = (instances.tile_cache, instances.accumulator);
-    let ready = tile_cache::PORTS.slot_ready.word_of(m, cache);
-    accumulator::PORTS.slot_ready.feed_word(m, slots, ready);
-    let fill = tile_cache::PORTS.fill.of(m, config, cache);
-    accumulator::PORTS.fill.feed(m, config, slots, fill);
-    let drain = tile_cache::PORTS.drain.of(m, config, cache);
-    accumulator::PORTS.drain.feed(m, config, slots, drain);
-    let drained = accumulator::PORTS.drained.of(m, config, slots);
-    tile_cache::PORTS.drained.feed(m, config, cache, drained);
-    let retire = accumulator::PORTS.retire.of(m, config, slots);
-    tile_cache::PORTS.retire.feed(m, config, cache, retire);
-    let frame_end = accumulator::PORTS.frame_end.word_of(m, slots);
-    tile_cache::PORTS.frame_end.feed_word(m, cache, frame_end);
-}
-
-/// Connects the tile cache to the reconstruction buffer, and leads finished pixels out as fragments.
+/// Connects the lanes to the reconstruction buffer, and leads finished pixels out as fragments.
 fn pixels(m: &mut Module, config: &Config, instances: &Instances) {
-    let (cache, normalizer) = (instances.tile_cache, instances.normalizer);
-    let read = units::tile_cache::PORTS.read.of(m, config, cache);
+    let (lanes, normalizer) = (instances.lanes.root.collector, instances.normalizer);
+    let read = lane::PORTS.read.of(m, config, lanes);
     PORTS.read.export(m, config, read);
     let data = PORTS.data.declare(m, config);
-    units::tile_cache::PORTS.data.feed(m, config, cache, data);
-    let write = units::tile_cache::PORTS.write.of(m, config, cache);
+    lane::PORTS.data.feed(m, config, lanes, data);
+    let write = lane::PORTS.write.of(m, config, lanes);
     PORTS.write.export(m, config, write);
-    let pixel = units::tile_cache::PORTS.pixel.of(m, config, cache);
-    units::normalizer::PORTS.input.feed(m, config, normalizer, pixel);
+    pipe(m, config, (lanes, lane::PORTS.pixel), (normalizer, units::normalizer::PORTS.input));
     let fragment = units::normalizer::PORTS.out.of(m, config, normalizer);
     PORTS.fragment.export(m, config, fragment);
 }
@@ -153,10 +115,8 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     let uniforms = uniforms(&mut m, config);
     constants(&mut m, config, &instances, &uniforms);
     chain(&mut m, config, &instances);
-    slots(&mut m, config, &instances);
     pixels(&mut m, config, &instances);
-    let rasterizer = units::rasterizer::PORTS.events.of(&mut m, config, instances.rasterizer);
-    let accumulator = units::accumulator::PORTS.events.of(&mut m, config, instances.accumulator);
-    PORTS.events.drive(&mut m, config, Events { rasterizer, accumulator });
+    let events = instances.lanes.events(&mut m, config);
+    PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })
 }

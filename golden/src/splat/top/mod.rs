@@ -2,15 +2,14 @@
 //!
 //! In a cycle every unit first shows its outputs, which depend on registers only, then all are clocked.
 
+pub mod lanes;
+
 use super::uniforms::write_uniform;
-use super::{
-    Accumulator, Latencies, Normalizer, Rasterizer, Reorder, Setup, Splitter, TileCache, Transform, Weighting,
-    accumulator, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform, weighting,
-};
+use super::{Latencies, Normalizer, Setup, Splitter, Transform, lane, normalizer, setup, splitter, transform};
 use crate::unit::Model;
+use lanes::Lanes;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Uniforms;
-use pointcore_contract::splat::units::Events;
 pub use pointcore_contract::splat::units::top::{In, Out};
 
 /// What every unit shows in a cycle: all that passes between them.
@@ -22,18 +21,26 @@ pub struct Shown {
     pub setup: setup::Out,
     /// The splitter.
     pub splitter: splitter::Out,
-    /// The reorder stage.
-    pub reorder: reorder::Out,
-    /// The tile cache.
-    pub tile_cache: tile_cache::Out,
-    /// The rasterizer.
-    pub rasterizer: rasterizer::Out,
-    /// The weighting unit.
-    pub weighting: weighting::Out,
-    /// The accumulator.
-    pub accumulator: accumulator::Out,
+    /// The lanes.
+    pub lanes: lanes::Shown,
     /// The normalizer.
     pub normalizer: normalizer::Out,
+}
+
+impl Shown {
+    /// What the root of the lanes sees.
+    #[must_use]
+    pub const fn lanes_see(&self, inputs: &In, filter_scale: u32) -> lane::In {
+        lane::In {
+            input: self.splitter.out,
+            read_ready: inputs.read_ready,
+            data: inputs.data,
+            write_ready: inputs.write_ready,
+            pixel_ready: self.normalizer.in_ready,
+            number: 0,
+            filter_scale,
+        }
+    }
 }
 
 /// The whole core.
@@ -46,11 +53,7 @@ pub struct Top {
     transform: Transform,
     setup: Setup,
     splitter: Splitter,
-    reorder: Reorder,
-    tile_cache: TileCache,
-    rasterizer: Rasterizer,
-    weighting: Weighting,
-    accumulator: Accumulator,
+    lanes: Lanes,
     normalizer: Normalizer,
 }
 
@@ -65,11 +68,7 @@ impl Top {
             transform: Transform::new(config, latencies.transform),
             setup: Setup::new(config, latencies.setup),
             splitter: Splitter::new(config),
-            reorder: Reorder::new(config),
-            tile_cache: TileCache::new(config),
-            rasterizer: Rasterizer::new(config, latencies.rasterizer),
-            weighting: Weighting::new(config, latencies.weighting),
-            accumulator: Accumulator::new(config),
+            lanes: Lanes::new(config, latencies),
             normalizer: Normalizer::new(config, latencies.normalizer),
         }
     }
@@ -81,19 +80,15 @@ impl Top {
             transform: self.transform.outputs(),
             setup: self.setup.outputs(),
             splitter: self.splitter.outputs(),
-            reorder: self.reorder.outputs(),
-            tile_cache: self.tile_cache.outputs(),
-            rasterizer: self.rasterizer.outputs(),
-            weighting: self.weighting.outputs(),
-            accumulator: self.accumulator.outputs(),
+            lanes: self.lanes.shown(),
             normalizer: self.normalizer.outputs(),
         }
     }
 
     /// One clock edge of units that show this: a [`clock`](Model::clock) for whoever has looked at what passes between them.
     pub fn step(&mut self, inputs: &In, shown: &Shown) {
-        let Shown { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, normalizer } =
-            shown;
+        let Shown { transform, setup, splitter, lanes, .. } = shown;
+        let lane::Out { in_ready, pixel, .. } = lanes.ports();
         let uniforms = &self.uniforms;
         self.transform.clock(&transform::In {
             input: inputs.splat,
@@ -109,32 +104,9 @@ impl Top {
             near_plane: uniforms.near_plane,
             filter_radius: uniforms.filter_radius,
         });
-        self.splitter.clock(&splitter::In { input: setup.out, out_ready: reorder.in_ready });
-        self.reorder.clock(&reorder::In { input: splitter.out, out_ready: tile_cache.in_ready });
-        self.tile_cache.clock(&tile_cache::In {
-            input: reorder.out,
-            out_ready: rasterizer.in_ready,
-            read_ready: inputs.read_ready,
-            data: inputs.data,
-            write_ready: inputs.write_ready,
-            pixel_ready: normalizer.in_ready,
-            retire: accumulator.retire,
-            frame_end: accumulator.frame_end,
-            drained: accumulator.drained,
-        });
-        self.rasterizer.clock(&rasterizer::In {
-            input: tile_cache.out,
-            out_ready: weighting.in_ready,
-            filter_scale: uniforms.filter_scale & self.filter_scale_bits,
-        });
-        self.weighting.clock(&weighting::In { input: rasterizer.out, out_ready: accumulator.in_ready });
-        self.accumulator.clock(&accumulator::In {
-            input: weighting.out,
-            slot_ready: tile_cache.slot_ready,
-            fill: tile_cache.fill,
-            drain: tile_cache.drain,
-        });
-        self.normalizer.clock(&normalizer::In { input: tile_cache.pixel, out_ready: inputs.fragment_ready });
+        self.splitter.clock(&splitter::In { input: setup.out, out_ready: in_ready });
+        self.lanes.step(&shown.lanes_see(inputs, uniforms.filter_scale & self.filter_scale_bits), lanes);
+        self.normalizer.clock(&normalizer::In { input: pixel, out_ready: inputs.fragment_ready });
         if let Some(write) = inputs.uniform {
             write_uniform(&mut self.uniforms, &self.config, write);
         }
@@ -147,17 +119,15 @@ impl Model for Top {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        let tile_cache = self.tile_cache.outputs();
+        let lanes = self.lanes.shown();
+        let lane::Out { read, data_ready, write, .. } = lanes.ports();
         Out {
             splat_ready: self.transform.outputs().in_ready,
-            read: tile_cache.read,
-            data_ready: tile_cache.data_ready,
-            write: tile_cache.write,
+            read,
+            data_ready,
+            write,
             fragment: self.normalizer.outputs().out,
-            events: Events {
-                rasterizer: self.rasterizer.outputs().events,
-                accumulator: self.accumulator.outputs().events,
-            },
+            events: lanes.events(),
         }
     }
 

@@ -1,0 +1,76 @@
+//! Units of which there are as many as rasterizers, and those between them.
+
+use super::events::LaneEvents;
+use crate::splat::Config;
+use crate::splat::records::{FinishedPixel, Pixel, PlacedPixel, SplatCopy, Tile};
+use crate::unit;
+
+/// Sends copies to one of two sides, by the rasterizer whose tile it is.
+#[unit(splat_distributor, config: Config)]
+#[when(config.rasterizers > 1)]
+pub struct Distributor {
+    /// Copies for both sides.
+    #[port("in")]
+    input: In<SplatCopy>,
+    /// Those of the lower numbers.
+    low: Out<SplatCopy>,
+    /// Those of the higher numbers.
+    high: Out<SplatCopy>,
+}
+
+/// A rasterizer and all that it has to itself, from copies to finished pixels.
+#[unit(splat_lane, config: Config)]
+pub struct Lane {
+    /// Copies for its tiles.
+    #[port("in")]
+    input: In<SplatCopy>,
+    /// Request for the pixels of a tile.
+    read: Out<Tile>,
+    /// Pixels of the tiles requested, in pixel order.
+    data: In<Pixel>,
+    /// Pixels of evicted tiles.
+    write: Out<PlacedPixel>,
+    /// Pixels of a finished frame.
+    pixel: Out<FinishedPixel>,
+    /// Its number.
+    #[when(config.rasterizers > 1)]
+    #[bits(config.rasterizer_bits())]
+    number: Input<u8>,
+    /// The reciprocal of the squared radius of the screen filter.
+    #[when(config.screen_filter.is_on())]
+    #[bits(config.filter_scale_format().width())]
+    filter_scale: Input<u32>,
+    /// What happened in the last cycle.
+    #[port("")]
+    events: Output<LaneEvents>,
+}
+
+/// Leads two sides to one memory, and their pixels into one stream.
+#[unit(splat_collector, config: Config)]
+#[when(config.rasterizers > 1)]
+pub struct Collector {
+    /// Requests of the lower numbers.
+    low_read: In<Tile>,
+    /// Pixels for them.
+    low_data: Out<Pixel>,
+    /// What they write.
+    low_write: In<PlacedPixel>,
+    /// What they have finished.
+    low_pixel: In<FinishedPixel>,
+    /// Requests of the higher numbers.
+    high_read: In<Tile>,
+    /// Pixels for them.
+    high_data: Out<Pixel>,
+    /// What they write.
+    high_write: In<PlacedPixel>,
+    /// What they have finished.
+    high_pixel: In<FinishedPixel>,
+    /// Requests of both.
+    read: Out<Tile>,
+    /// Pixels of the tiles requested, in pixel order.
+    data: In<Pixel>,
+    /// What both write.
+    write: Out<PlacedPixel>,
+    /// What both have finished.
+    pixel: Out<FinishedPixel>,
+}

@@ -1,0 +1,121 @@
+//! Lane: a rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3).
+
+use super::{
+    Accumulator, Latencies, Rasterizer, Reorder, TileCache, Weighting, accumulator, rasterizer, reorder, tile_cache,
+    weighting,
+};
+use crate::unit::Model;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::units::LaneEvents;
+pub use pointcore_contract::splat::units::lane::{In, Out};
+
+/// What every unit of a lane shows in a cycle.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The reorder stage.
+    pub reorder: reorder::Out,
+    /// The tile cache.
+    pub tile_cache: tile_cache::Out,
+    /// The rasterizer.
+    pub rasterizer: rasterizer::Out,
+    /// The weighting unit.
+    pub weighting: weighting::Out,
+    /// The accumulator.
+    pub accumulator: accumulator::Out,
+}
+
+impl Shown {
+    /// What the lane did in the last cycle.
+    #[must_use]
+    pub const fn events(&self) -> LaneEvents {
+        LaneEvents { rasterizer: self.rasterizer.events, accumulator: self.accumulator.events }
+    }
+
+    /// What of it is seen from outside.
+    #[must_use]
+    pub const fn ports(&self) -> Out {
+        let tile_cache::Out { read, data_ready, write, pixel, .. } = self.tile_cache;
+        Out { in_ready: self.reorder.in_ready, read, data_ready, write, pixel, events: self.events() }
+    }
+}
+
+/// A lane.
+#[derive(Clone, Debug)]
+pub struct Lane {
+    reorder: Reorder,
+    tile_cache: TileCache,
+    rasterizer: Rasterizer,
+    weighting: Weighting,
+    accumulator: Accumulator,
+}
+
+impl Lane {
+    /// The lane after reset, with pipelines of the given lengths.
+    #[must_use]
+    pub fn new(config: &Config, latencies: &Latencies) -> Self {
+        Self {
+            reorder: Reorder::new(config),
+            tile_cache: TileCache::new(config),
+            rasterizer: Rasterizer::new(config, latencies.rasterizer),
+            weighting: Weighting::new(config, latencies.weighting),
+            accumulator: Accumulator::new(config),
+        }
+    }
+
+    /// What every unit shows in this cycle.
+    #[must_use]
+    pub fn shown(&self) -> Shown {
+        Shown {
+            reorder: self.reorder.outputs(),
+            tile_cache: self.tile_cache.outputs(),
+            rasterizer: self.rasterizer.outputs(),
+            weighting: self.weighting.outputs(),
+            accumulator: self.accumulator.outputs(),
+        }
+    }
+
+    /// One clock edge of units that show this.
+    pub fn step(&mut self, inputs: &In, shown: &Shown) {
+        let Shown { reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        self.reorder.clock(&reorder::In { input: inputs.input, out_ready: tile_cache.in_ready });
+        self.tile_cache.clock(&tile_cache::In {
+            input: reorder.out,
+            out_ready: rasterizer.in_ready,
+            read_ready: inputs.read_ready,
+            data: inputs.data,
+            write_ready: inputs.write_ready,
+            pixel_ready: inputs.pixel_ready,
+            number: inputs.number,
+            retire: accumulator.retire,
+            frame_end: accumulator.frame_end,
+            drained: accumulator.drained,
+        });
+        self.rasterizer.clock(&rasterizer::In {
+            input: tile_cache.out,
+            out_ready: weighting.in_ready,
+            filter_scale: inputs.filter_scale,
+        });
+        self.weighting.clock(&weighting::In { input: rasterizer.out, out_ready: accumulator.in_ready });
+        self.accumulator.clock(&accumulator::In {
+            input: weighting.out,
+            slot_ready: tile_cache.slot_ready,
+            fill: tile_cache.fill,
+            drain: tile_cache.drain,
+        });
+    }
+}
+
+impl Model for Lane {
+    type Config = Config;
+    type In = In;
+    type Out = Out;
+
+    fn outputs(&self) -> Out {
+        self.shown().ports()
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let shown = self.shown();
+        self.step(inputs, &shown);
+    }
+}

@@ -1,0 +1,100 @@
+//! Leads two sides to one memory, and their finished pixels into one stream (thesis 5.5.3); golden twin:
+//! `pointcore_golden::splat::collector`.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::{COLLECTED_READS, TILE_PIXELS};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::units::collector::PORTS;
+use pointcore_contract::unit::In;
+use pointcore_contract::{Record, record};
+
+use crate::stream::{fifo_distributed, skid};
+use crate::units::ports::{QueueOut, StreamInPorts, StreamOutPorts};
+use crate::units::queue::Pushed;
+use crate::units::wires::{Bundle, Wired, layout};
+use rtl::{Expr, Module};
+
+/// The side that a read came from.
+#[record(config: Config)]
+struct Side {
+    /// It is that of the higher numbers.
+    is_high: bool,
+}
+
+/// What moves from one of the sides.
+struct Taken<B> {
+    moves: Expr,
+    is_high: Expr,
+    record: B,
+}
+
+/// Takes from the side whose turn it is, if `open`; the turn passes on where nothing moves.
+fn take<R: Record<Config = Config>>(
+    m: &mut Module,
+    config: &Config,
+    what: &str,
+    sides: [In<R>; 2],
+    open: impl FnOnce(Expr) -> Expr,
+) -> Taken<Wired<R>> {
+    let turn = m.reg_reset(&format!("{what}_turn"), 1, 0);
+    let open = m.wire(&format!("{what}_open"), open(turn.expr()));
+    let [low, high] = sides.map(|side| side.declare(m, config));
+    m.drive(low.ready, open & !turn);
+    m.drive(high.ready, open & turn);
+    let moves = m.wire(&format!("{what}_moves"), open & turn.mux(high.valid, low.valid));
+    m.next(turn, turn ^ !moves);
+    Taken { moves, is_high: turn.expr(), record: Bundle::choose(config, turn.expr(), high.record, low.record) }
+}
+
+/// Leads requests to the memory, and data to the sides in their order.
+fn reads(m: &mut Module, config: &Config, writes: Expr) {
+    let read = PORTS.read.queue(m, config);
+    let queue = fifo_distributed(COLLECTED_READS, &layout::<Side>(config));
+    let (order, awaited) = Pushed::<Side>::place(m, config, "order", queue);
+    // A read must find in memory what was written before it.
+    let room = (read.room & order.room) & !writes;
+    let request = take::<Tile>(m, config, "read", [PORTS.low_read, PORTS.high_read], |_| room);
+    read.push(m, config, request.moves, request.record);
+    order.push(m, config, request.moves, Side { is_high: request.is_high });
+
+    let data = PORTS.data.declare(m, config).through(m, config, "data_queue", skid(&layout::<Pixel>(config)));
+    let is_high = awaited.record.is_high;
+    let shows = data.valid & awaited.valid;
+    let low = PORTS.low_data.drive(m, config, shows & !is_high, data.record);
+    let high = PORTS.high_data.drive(m, config, shows & is_high, data.record);
+    let taken = m.wire("data_taken", awaited.valid & is_high.mux(high, low));
+    m.drive(data.ready, taken);
+    let came = m.reg_reset("came", TILE_PIXELS.ilog2(), 0);
+    let comes = m.wire("data_comes", taken & data.valid);
+    m.next_if(came, comes, came.add_lit(1));
+    m.drive(awaited.ready, comes & came.all());
+}
+
+/// Leads finished pixels into one stream, which ends when both sides have.
+fn pixels(m: &mut Module, config: &Config, out: QueueOut<FinishedPixel>) {
+    let ended = ["low_ended", "high_ended"].map(|name| m.reg_reset(name, 1, 0));
+    let [low, high] = ended;
+    let sides = [PORTS.low_pixel, PORTS.high_pixel];
+    let finished = take::<FinishedPixel>(m, config, "pixel", sides, |turn| out.room & !turn.mux(high, low));
+    let closes = m.wire("closes", (low & high) & out.room);
+    let ends = m.wire("ends", finished.moves & finished.record.end);
+    for (ended, is_side) in ended.into_iter().zip([!finished.is_high, finished.is_high]) {
+        m.next(ended, !closes & (ended | (ends & is_side)));
+    }
+    let pushes = closes | (finished.moves & !finished.record.end);
+    out.push(m, config, pushes, FinishedPixel { end: closes, ..finished.record });
+}
+
+/// The unit.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    let mut m = Module::new("splat_collector", "Leads two sides to one memory, and their pixels into one stream.");
+    let write = PORTS.write.queue(&mut m, config);
+    reads(&mut m, config, write.holds);
+    let room = write.room;
+    let written = take::<PlacedPixel>(&mut m, config, "write", [PORTS.low_write, PORTS.high_write], |_| room);
+    write.push(&mut m, config, written.moves, written.record);
+    let out = PORTS.pixel.queue(&mut m, config);
+    pixels(&mut m, config, out);
+    m
+}

@@ -1,0 +1,35 @@
+//! Sends splat copies to one of two sides, by a bit of the number of the rasterizer whose tile it is (thesis 5.5.3);
+//! golden twin: `pointcore_golden::splat::distributor`.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::units::distributor::PORTS;
+
+use super::parts::share;
+use crate::units::ports::{StreamInPorts, StreamOutPorts};
+use crate::units::wires::Bundle;
+use rtl::Module;
+
+/// The unit behind so many others of its kind; the first looks at the highest bit.
+#[must_use]
+pub fn module(config: &Config, level: u32) -> Module {
+    let bit = config.rasterizer_bits().saturating_sub(1 + level);
+    let mut m = Module::new("splat_distributor", "Sends splat copies to one of two sides, by their tile.");
+    m.variant("bit", bit);
+    let input = PORTS.input.declare(&mut m, config);
+    let empty = m.forward("empty", 1);
+    m.drive(input.ready, empty);
+    let takes = m.wire("takes", empty & input.valid);
+    let copy = input.record.register(&mut m, config, "copy_", empty);
+    let is_high = match config.rasterizer_bits() {
+        0 => input.record.tile.bit(0),
+        _ => share::number_bit(config, input.record.tile, bit),
+    };
+    let is_for = [!is_high, is_high].map(|is_for| input.record.end | is_for);
+    let [low, high] = ["leaves_low", "leaves_high"].map(|name| m.reg_reset(name, 1, 0));
+    let taken = [PORTS.low.drive(&mut m, config, low, copy), PORTS.high.drive(&mut m, config, high, copy)];
+    for ((leaves, is_for), taken) in [low, high].into_iter().zip(is_for).zip(taken) {
+        m.next(leaves, (takes & is_for) | (leaves & !taken));
+    }
+    m.drive(empty, !(low | high));
+    m
+}

@@ -1,0 +1,81 @@
+//! A rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3); golden twin:
+//! `pointcore_golden::splat::lane`.
+
+use super::{accumulator, rasterizer, reorder, tile_cache, weighting};
+use crate::compiler::{CompileError, Datapath, Manifest, Options};
+use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::units::lane::PORTS;
+use pointcore_contract::splat::units::{self, LaneEvents};
+use rtl::{Instance, Module};
+use std::collections::BTreeMap;
+
+/// A lane and what the compiler decided about its datapaths, by unit.
+pub struct Lane {
+    /// The module, `splat_lane`.
+    pub module: Module,
+    /// By unit.
+    pub manifests: BTreeMap<String, Manifest>,
+}
+
+/// Connects the tile cache to the slots in the accumulator.
+fn slots(m: &mut Module, config: &Config, [cache, slots]: [Instance; 2]) {
+    use units::{accumulator, tile_cache};
+    let ready = tile_cache::PORTS.slot_ready.word_of(m, cache);
+    accumulator::PORTS.slot_ready.feed_word(m, slots, ready);
+    pulse(m, config, (cache, tile_cache::PORTS.fill), (slots, accumulator::PORTS.fill));
+    pulse(m, config, (cache, tile_cache::PORTS.drain), (slots, accumulator::PORTS.drain));
+    let drained = accumulator::PORTS.drained.of(m, config, slots);
+    tile_cache::PORTS.drained.feed(m, config, cache, drained);
+    pulse(m, config, (slots, accumulator::PORTS.retire), (cache, tile_cache::PORTS.retire));
+    let frame_end = accumulator::PORTS.frame_end.word_of(m, slots);
+    tile_cache::PORTS.frame_end.feed_word(m, cache, frame_end);
+}
+
+/// Builds a lane.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
+    let mut m = Module::new("splat_lane", "A rasterizer with the lists, slots and sums of its share of the tiles.");
+    let mut manifests = BTreeMap::new();
+    let mut datapath = |m: &mut Module, name: &str, datapath: Datapath| {
+        manifests.insert(name.to_owned(), datapath.manifest);
+        m.instance(name, datapath.module)
+    };
+    let reorder = m.instance("reorder", reorder::module(config));
+    let cache = m.instance("tile_cache", tile_cache::module(config));
+    let rasterizer = datapath(&mut m, "rasterizer", rasterizer::datapath(config, options)?);
+    let weighting = datapath(&mut m, "weighting", weighting::datapath(config, options)?);
+    let accumulator = m.instance("accumulator", accumulator::module(config));
+
+    use units::{accumulator as sums, rasterizer as samples, tile_cache as tiles};
+    let copy = PORTS.input.declare(&mut m, config);
+    units::reorder::PORTS.input.feed(&mut m, config, reorder, copy);
+    pipe(&mut m, config, (reorder, units::reorder::PORTS.out), (cache, tiles::PORTS.input));
+    pipe(&mut m, config, (cache, tiles::PORTS.out), (rasterizer, samples::PORTS.input));
+    pipe(&mut m, config, (rasterizer, samples::PORTS.out), (weighting, units::weighting::PORTS.input));
+    pipe(&mut m, config, (weighting, units::weighting::PORTS.out), (accumulator, sums::PORTS.input));
+    slots(&mut m, config, [cache, accumulator]);
+
+    let read = tiles::PORTS.read.of(&mut m, config, cache);
+    PORTS.read.export(&mut m, config, read);
+    let data = PORTS.data.declare(&mut m, config);
+    tiles::PORTS.data.feed(&mut m, config, cache, data);
+    let write = tiles::PORTS.write.of(&mut m, config, cache);
+    PORTS.write.export(&mut m, config, write);
+    let pixel = tiles::PORTS.pixel.of(&mut m, config, cache);
+    PORTS.pixel.export(&mut m, config, pixel);
+    if config.rasterizers > 1 {
+        let number = PORTS.number.declare_word(&mut m, config.rasterizer_bits());
+        tiles::PORTS.number.feed_word(&mut m, cache, number);
+    }
+    if config.screen_filter.is_on() {
+        let scale = PORTS.filter_scale.declare_word(&mut m, config.filter_scale_format().width());
+        samples::PORTS.filter_scale.feed_word(&mut m, rasterizer, scale);
+    }
+    let rasterizer = samples::PORTS.events.of(&mut m, config, rasterizer);
+    let accumulator = sums::PORTS.events.of(&mut m, config, accumulator);
+    PORTS.events.drive(&mut m, config, LaneEvents { rasterizer, accumulator });
+    Ok(Lane { module: m, manifests })
+}

@@ -1,0 +1,75 @@
+//! `splat_collector` against its model, in every cycle.
+
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::{Config, units};
+use pointcore_contract::{read, words};
+use pointcore_golden::splat::Collector;
+use pointcore_golden::unit::Ported;
+use pointcore_hdl::splat::collector;
+use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
+
+use crate::splat::{Device, RUNS, Travels, configs, scene, stalls};
+
+/// Of a side.
+const READS: u32 = 20;
+const WRITES: u32 = 700;
+const PIXELS: usize = 600;
+/// Pixels of a side's frame, its end among them.
+const FRAME: usize = 150;
+
+/// Records of noise, as words.
+fn noise<R: Travels>(config: &Config, count: usize, mut change: impl FnMut(usize, &mut R)) -> Vec<Vec<u64>> {
+    let mut random = scene::random();
+    let record = |index| {
+        let mut record = scene::noise(config, &mut random);
+        change(index, &mut record);
+        words(config, record)
+    };
+    (0..count).map(record).collect()
+}
+
+/// Tiles that tell the side by their lowest bit.
+fn tiles(config: &Config, side: u32) -> Vec<Vec<u64>> {
+    (0..READS).map(|number| words(config, Tile { tile: 2 * (number % 8) + side })).collect()
+}
+
+#[test]
+fn it_agrees_with_the_model_and_nothing_is_lost() {
+    for config in configs() {
+        let device = Device::new(&config, &collector::module(&config), &units::collector::UNIT);
+        let data = noise::<Pixel>(&config, (2 * READS * TILE_PIXELS) as usize, |_, _| {});
+        let mut waited = false;
+        for seed in seeds(RUNS).unwrap() {
+            let mut bench = StreamTestbench::new(device.library(), seed).source("data", data.clone(), stalls(seed)).unwrap();
+            for (side, name) in (0..).zip(["low", "high"]) {
+                let end = |index, pixel: &mut FinishedPixel| pixel.end = index % FRAME == FRAME - 1;
+                let mark = |_, pixel: &mut PlacedPixel| pixel.tile = pixel.tile & !1 | side;
+                let of = |what: &str| format!("{name}_{what}");
+                let pattern = stalls(seed + u64::from(side));
+                bench = bench.source(&of("read"), tiles(&config, side), Stall::Random(0.9)).unwrap();
+                bench = bench.source(&of("write"), noise(&config, WRITES as usize, mark), pattern).unwrap();
+                bench = bench.source(&of("pixel"), noise(&config, PIXELS, end), pattern).unwrap();
+                bench = bench.sink(&of("data"), pattern).unwrap();
+            }
+            for name in ["read", "write", "pixel"] {
+                bench = bench.sink(name, stalls(seed + 2)).unwrap();
+            }
+            let model = Ported::new(&config, Collector::default());
+            let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
+
+            let collected = |name: &str| run.stimulus.collected(name);
+            let sides: Vec<u32> = collected("read").iter().map(|words| read::<Tile>(&config, words).tile & 1).collect();
+            assert_eq!(sides.len(), 2 * READS as usize);
+            waited |= sides.windows(3).any(|sides| sides == [0, 0, 1]) && sides.windows(3).any(|sides| sides == [1, 0, 1]);
+            for (side, name) in (0..).zip(["low_data", "high_data"]) {
+                let of_side = data.chunks(TILE_PIXELS as usize).zip(&sides).filter(|(_, of)| **of == side);
+                assert!(collected(name).iter().eq(of_side.flat_map(|(pixels, _)| pixels)), "{name}, seed {seed}");
+            }
+            assert_eq!(collected("write").len(), 2 * WRITES as usize);
+            let ends = collected("pixel").iter().filter(|words| read::<FinishedPixel>(&config, words).end).count();
+            assert_eq!((ends, collected("pixel").len()), (PIXELS / FRAME, 2 * PIXELS - PIXELS / FRAME));
+        }
+        assert!(waited, "requests of both sides come in one order only");
+    }
+}

@@ -1,0 +1,48 @@
+//! `splat_distributor` against its model, in every cycle.
+
+use pointcore_contract::splat::records::SplatCopy;
+use pointcore_contract::splat::{Config, units};
+use pointcore_contract::{read, words};
+use pointcore_golden::splat::{Distributor, Share};
+use pointcore_golden::unit::Ported;
+use pointcore_hdl::splat::distributor;
+use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
+
+use crate::splat::{Device, RUNS, configs, scene, stalls};
+
+const COPIES: usize = 1500;
+
+/// End records without what else they carry.
+fn bare_end(copy: SplatCopy) -> SplatCopy {
+    if copy.end { SplatCopy { end: true, ..SplatCopy::default() } } else { copy }
+}
+
+/// What is to leave on a side at a level.
+fn expected(config: &Config, copies: &[SplatCopy], level: u32, side: u32) -> Vec<SplatCopy> {
+    let (share, bit) = (Share::new(config), config.rasterizer_bits() - 1 - level);
+    let goes = |copy: &&SplatCopy| copy.end || share.rasterizer(copy.tile) >> bit & 1 == side;
+    copies.iter().filter(goes).map(|copy| bare_end(*copy)).collect()
+}
+
+#[test]
+fn it_agrees_with_the_model_and_copies_go_to_their_side() {
+    let [bare, _, mixed] = configs();
+    for (config, level) in [(Config { rasterizers: 2, ..bare }, 0), (Config { rasterizers: 8, ..mixed }, 1)] {
+        let device = Device::new(&config, &distributor::module(&config, level), &units::distributor::UNIT);
+        let mut random = scene::random();
+        let copy = |index| SplatCopy { end: index % 100 == 99, ..scene::noise(&config, &mut random) };
+        let copies: Vec<SplatCopy> = (0..COPIES).map(copy).collect();
+        for seed in seeds(RUNS).unwrap() {
+            let bench = StreamTestbench::new(device.library(), seed);
+            let sent = copies.iter().map(|copy| words(&config, *copy)).collect();
+            let bench = bench.source("in", sent, stalls(seed)).unwrap();
+            let bench = bench.sink("low", Stall::Random(0.3)).unwrap().sink("high", stalls(seed + 1)).unwrap();
+            let model = Ported::new(&config, Distributor::new(&config, level));
+            let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
+            for (side, name) in (0..).zip(["low", "high"]) {
+                let left = run.stimulus.collected(name).iter().map(|copy| bare_end(read(&config, copy)));
+                assert!(left.eq(expected(&config, &copies, level, side)), "{name}, seed {seed}");
+            }
+        }
+    }
+}

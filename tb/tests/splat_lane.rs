@@ -1,0 +1,130 @@
+//! `splat_lane` against its model, in every cycle, with a memory around it.
+
+use std::collections::VecDeque;
+
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::records::{Pixel, SplatCopy};
+use pointcore_contract::splat::{Config, units};
+use pointcore_contract::words;
+use pointcore_golden::splat::lane::{In, Lane};
+use pointcore_golden::splat::{Latencies, Share};
+use pointcore_golden::unit::{Model, Ported};
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::splat::lane;
+use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, seeds};
+
+use crate::splat::{Device, RUNS, configs, scene, stalls};
+
+const SPLATS: usize = 400;
+
+/// The model with its copies and its memory: what it sees, the hardware sees.
+#[derive(Clone)]
+struct Loop {
+    config: Config,
+    lane: Lane,
+    number: u8,
+    copies: VecDeque<SplatCopy>,
+    /// Frames that have not left.
+    frames: usize,
+    tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
+    beats: VecDeque<Pixel>,
+    offers: [bool; 2],
+    stalls: [Stalls; 5],
+    places: Vec<usize>,
+    /// Pixels that were read, written and finished.
+    counts: [usize; 3],
+}
+
+impl Loop {
+    fn new(config: &Config, (lane, number): (Lane, u8), device: &Device, (stall, seed): (Stall, u64)) -> Self {
+        let share = Share::new(config);
+        let is_here = |copy: &SplatCopy| copy.end || share.rasterizer(copy.tile) == u32::from(number);
+        let copies: VecDeque<_> = scene::copies(config, SPLATS).into_iter().filter(is_here).collect();
+        let mut random = fastrand::Rng::with_seed(seed);
+        Self {
+            config: config.clone(),
+            lane,
+            number,
+            frames: copies.iter().filter(|copy| copy.end).count(),
+            copies,
+            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; 1 << config.tile_bits()],
+            beats: VecDeque::new(),
+            offers: [false; 2],
+            stalls: [(); 5].map(|()| Stalls::new(stall, random.fork())),
+            places: device.input_places(),
+            counts: [0; 3],
+        }
+    }
+
+    fn step(&mut self) -> In {
+        let out = self.lane.outputs();
+        let [copies, data, read_ready, write_ready, pixel_ready] = self.stalls.each_mut().map(|stalls| !stalls.stalled());
+        // An offer once made stands until it is taken.
+        self.offers[0] |= copies && !self.copies.is_empty();
+        self.offers[1] |= data && !self.beats.is_empty();
+        let inputs = In {
+            input: self.copies.front().copied().filter(|_| self.offers[0]),
+            read_ready,
+            data: self.beats.front().copied().filter(|_| self.offers[1]),
+            write_ready,
+            pixel_ready,
+            number: self.number,
+            filter_scale: scene::registers(&self.config).filter_scale,
+        };
+        if self.offers[0] && out.in_ready {
+            self.copies.pop_front();
+            self.offers[0] = false;
+        }
+        if self.offers[1] && out.data_ready {
+            self.beats.pop_front();
+            self.offers[1] = false;
+            self.counts[0] += 1;
+        }
+        if let Some(read) = out.read.filter(|_| read_ready) {
+            self.beats.extend(self.tiles[read.tile as usize]);
+        }
+        if let Some(placed) = out.write.filter(|_| write_ready) {
+            self.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;
+            self.counts[1] += 1;
+        }
+        if let Some(finished) = out.pixel.filter(|_| pixel_ready) {
+            self.frames -= usize::from(finished.end);
+            self.counts[2] += usize::from(!finished.end);
+        }
+        self.lane.clock(&inputs);
+        inputs
+    }
+}
+
+impl Stimulus for Loop {
+    fn drive(&mut self, _cycle: u64, _outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        if self.frames == 0 {
+            return Flow::Done;
+        }
+        let seen = self.step();
+        let seen = words(&self.config, seen);
+        // `rst` comes first.
+        self.places[1..].iter().zip(seen).for_each(|(&place, word)| inputs[place] = word);
+        Flow::Continue
+    }
+}
+
+#[test]
+fn it_agrees_with_the_model() {
+    let [bare, _, mixed] = configs();
+    for (config, number) in [(bare, 0), (Config { rasterizers: 4, ..mixed }, 2)] {
+        let hardware = lane::lane(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let latency = |unit: &str| hardware.manifests[unit].latency;
+        let [rasterizer, weighting] = ["rasterizer", "weighting"].map(latency);
+        let latencies = Latencies { transform: 0, setup: 0, rasterizer, weighting, normalizer: 0 };
+        let device = Device::new(&config, &hardware.module, &units::lane::UNIT);
+        let model = Lane::new(&config, &latencies);
+        for seed in seeds(RUNS).unwrap() {
+            let stimulus = Loop::new(&config, (model.clone(), number), &device, (stalls(seed), seed));
+            let run = device.lockstep(Ported::new(&config, model.clone()), seed).run(stimulus);
+            let run = run.unwrap_or_else(|error| panic!("{error}"));
+            let [read, written, finished] = run.stimulus.counts;
+            assert!(read > 500 && written > 500 && finished > 300, "seed {seed}: {read}, {written}, {finished}");
+        }
+    }
+}
