@@ -17,11 +17,18 @@ fn bare_end(copy: SplatCopy) -> SplatCopy {
     if copy.end { SplatCopy { end: true, ..SplatCopy::default() } } else { copy }
 }
 
-/// What is to leave on a side at a level.
+/// What is to leave on a side at a level; the first of a splat's copies there is marked.
 fn expected(config: &Config, copies: &[SplatCopy], level: u32, side: u32) -> Vec<SplatCopy> {
     let (share, bit) = (Share::new(config), config.rasterizer_bits() - 1 - level);
-    let goes = |copy: &&SplatCopy| copy.end || share.rasterizer(copy.tile) >> bit & 1 == side;
-    copies.iter().filter(goes).map(|copy| bare_end(*copy)).collect()
+    let goes = |copy: &SplatCopy| copy.end || share.rasterizer(copy.tile) >> bit & 1 == side;
+    let mut begun = false;
+    let leaves = |copy: &SplatCopy| {
+        begun &= copy.end || !copy.first;
+        let first = !begun;
+        begun |= !copy.end && goes(copy);
+        goes(copy).then(|| bare_end(SplatCopy { first, ..*copy }))
+    };
+    copies.iter().filter_map(leaves).collect()
 }
 
 #[test]

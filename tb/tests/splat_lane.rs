@@ -38,8 +38,15 @@ struct Loop {
 impl Loop {
     fn new(config: &Config, (lane, number): (Lane, u8), device: &Device, (stall, seed): (Stall, u64)) -> Self {
         let share = Share::new(config);
-        let is_here = |copy: &SplatCopy| copy.end || share.rasterizer(copy.tile) == u32::from(number);
-        let copies: VecDeque<_> = scene::copies(config, SPLATS).into_iter().filter(is_here).collect();
+        let mut begun = false;
+        let here = |mut copy: SplatCopy| {
+            begun &= !copy.first;
+            let is_here = copy.end || share.rasterizer(copy.tile) == u32::from(number);
+            copy.first = is_here && !begun;
+            begun |= is_here;
+            is_here.then_some(copy)
+        };
+        let copies: VecDeque<_> = scene::copies(config, SPLATS).into_iter().filter_map(here).collect();
         let mut random = fastrand::Rng::with_seed(seed);
         Self {
             config: config.clone(),

@@ -15,7 +15,7 @@ fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&config, &hardware.module, &units::rasterizer::UNIT);
-        let copies = scene::placed_copies(&config, SPLATS);
+        let copies = scene::complete_copies(&config, SPLATS);
         let model = Rasterizer::new(&config, hardware.manifest.latency);
         let samples: Vec<Sample> = device.run(&model, &copies, &scene::uniforms(&config));
         let places = || samples.iter().map(|sample| sample.place);

@@ -1,6 +1,6 @@
 //! `splat_reorder` against its model, in every cycle.
 
-use pointcore_contract::splat::records::SplatCopy;
+use pointcore_contract::splat::records::TileCopy;
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::words;
 use pointcore_golden::splat::Reorder;
@@ -11,10 +11,10 @@ use crate::splat::{Device, configs, scene};
 const COPIES: u64 = 1200;
 
 /// Fields of noise, in frames of two lengths, an empty frame among them.
-fn copies(config: &Config) -> Vec<SplatCopy> {
+fn copies(config: &Config) -> Vec<TileCopy> {
     let mut random = scene::random();
     let copy = |index| {
-        let mut copy: SplatCopy = scene::noise(config, &mut random);
+        let mut copy: TileCopy = scene::noise(config, &mut random);
         copy.end = index % 300 == 299 || [20, 21].contains(&index);
         if index % 64 < 32 {
             copy.tile %= 4;
@@ -25,7 +25,7 @@ fn copies(config: &Config) -> Vec<SplatCopy> {
 }
 
 /// Sorted within each frame.
-fn by_frame(config: &Config, copies: &[SplatCopy]) -> Vec<Vec<Vec<u64>>> {
+fn by_frame(config: &Config, copies: &[TileCopy]) -> Vec<Vec<Vec<u64>>> {
     let frames = copies.split(|copy| copy.end).map(|frame| {
         let mut frame: Vec<_> = frame.iter().map(|copy| words(config, *copy)).collect();
         frame.sort();
@@ -45,7 +45,7 @@ fn it_agrees_with_the_model() {
             assert!(by_frame(&config, run) == by_frame(&config, &copies), "every frame has its own copies");
         }
         let in_order =
-            |run: &&Vec<SplatCopy>| run.iter().zip(&copies).all(|(left, right)| left.end || left.tile == right.tile);
+            |run: &&Vec<TileCopy>| run.iter().zip(&copies).all(|(left, right)| left.end || left.tile == right.tile);
         // Where the consumer is faster than the heap, never or seldom pausing, or the heap is slow, every copy leaves at once.
         let ordered = runs.iter().filter(in_order).count();
         assert!(

@@ -125,6 +125,10 @@ configuration! {
             tiles_in_turn: u32 = 4, range(1, 16), User;
             /// Cycles an operation of the heap takes: 2, or 4 for a higher clock.
             heap_interval: u32 = 2, described("2, 4"), User;
+            /// Splats whose payload is held, `2^splat_levels`: those of the copies that wait.
+            splat_levels: u32 = 10, range(0, 14), Input;
+            /// Cycles in which a copy gets its splat's payload, footprint and attributes: as many words hold it.
+            payload_beats: u32 = 2, range(1, 8), User;
             /// Tiles the cache holds.
             tile_slots: u32 = 8, range(2, 64), Input;
             /// Rasterizers that draw side by side, each with lists or heap, tile slots and accumulator of its own (thesis 5.5.3).
@@ -308,9 +312,27 @@ impl Config {
         if self.tiles_in_turn < self.tile_slots { self.tiles_in_turn } else { self.tile_slots - 1 }
     }
 
+    /// Splats whose payload is held at a time.
+    #[must_use]
+    pub const fn splats_held(&self) -> u32 {
+        1 << self.splat_levels
+    }
+
+    /// Bits of the place of a splat's payload.
+    #[must_use]
+    pub const fn splat_bits(&self) -> u32 {
+        index_bits(self.splats_held())
+    }
+
+    /// Bits of a number of copies of one splat: it has one a tile at most.
+    #[must_use]
+    pub const fn copy_count_bits(&self) -> u32 {
+        self.tile_bits() + 1
+    }
+
     /// Splat copies the reorder stage's memory holds.
     #[must_use]
-    pub const fn payloads(&self) -> u32 {
+    pub const fn pointers(&self) -> u32 {
         1 << self.heap_levels
     }
 
@@ -319,7 +341,7 @@ impl Config {
     pub const fn copies_held(&self) -> u32 {
         match self.reorder {
             Reordering::Heap => self.heap_capacity(),
-            Reordering::Lists => self.payloads(),
+            Reordering::Lists => self.pointers(),
         }
     }
 

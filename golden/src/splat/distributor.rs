@@ -17,6 +17,8 @@ pub struct Distributor {
     copy: SplatCopy,
     /// Whether it is still to leave for the lower numbers, and for the higher ones.
     leaves_for: [bool; 2],
+    /// Sides for which a copy of its splat has left or is to leave.
+    begun: [bool; 2],
 }
 
 impl Distributor {
@@ -24,7 +26,7 @@ impl Distributor {
     #[must_use]
     pub fn new(config: &Config, level: u32) -> Self {
         let bit = config.rasterizer_bits().saturating_sub(1 + level);
-        Self { share: Share::new(config), bit, copy: SplatCopy::default(), leaves_for: [false; 2] }
+        Self { share: Share::new(config), bit, copy: SplatCopy::default(), leaves_for: [false; 2], begun: [false; 2] }
     }
 }
 
@@ -46,6 +48,11 @@ impl Model for Distributor {
             let is_high = self.share.rasterizer(copy.tile) >> self.bit & 1 == 1;
             self.leaves_for = [copy.end || !is_high, copy.end || is_high];
             self.copy = copy;
+            if !copy.end {
+                self.begun = self.begun.map(|begun| begun && !copy.first);
+                let begun = &mut self.begun[usize::from(is_high)];
+                self.copy.first = !std::mem::replace(begun, true);
+            }
         }
     }
 }
@@ -58,7 +65,7 @@ mod tests {
     fn copies_go_to_their_side_and_ends_to_both() {
         let config = Config { rasterizers: 4, ..Config::default() };
         let mut unit = Distributor::new(&config, 0);
-        let copy = |tile| SplatCopy { tile, ..SplatCopy::default() };
+        let copy = |tile| SplatCopy { tile, first: true, ..SplatCopy::default() };
         let end = SplatCopy { end: true, ..SplatCopy::default() };
         // The highest bit of a number is that of the column, and the lowest of the row.
         let columns = 1 << config.tile_column_bits();
@@ -71,7 +78,8 @@ mod tests {
                 assert!(!out.in_ready || counts == expected);
                 let [low_ready, high_ready] = ready;
                 for ((shown, ready), count) in [out.low, out.high].into_iter().zip(ready).zip(&mut counts) {
-                    *count += u32::from(shown.is_some_and(|shown| ready && shown == copy));
+                    let is_sent = |shown: SplatCopy| (shown.end, shown.tile) == (copy.end, copy.tile);
+                    *count += u32::from(ready && shown.is_some_and(is_sent));
                 }
                 let input = None;
                 unit.clock(&In { input, low_ready, high_ready });
@@ -79,5 +87,20 @@ mod tests {
             assert_eq!(counts, expected, "{copy:?}");
             assert!(unit.outputs().in_ready);
         }
+    }
+
+    #[test]
+    fn each_side_has_a_first_copy_of_its_own() {
+        let config = Config { rasterizers: 2, ..Config::default() };
+        let mut unit = Distributor::new(&config, 0);
+        // Of one splat and of another.
+        let sent = [(1, true), (0, false), (1, false), (2, false), (0, true), (3, false)];
+        let left = sent.map(|(tile, first)| {
+            unit.clock(&In { input: Some(SplatCopy { tile, first, ..SplatCopy::default() }), ..In::default() });
+            let Out { low, high, .. } = unit.outputs();
+            unit.clock(&In { low_ready: true, high_ready: true, ..In::default() });
+            low.or(high).map(|copy| copy.first)
+        });
+        assert_eq!(left.map(|first| first.expect("a copy leaves")), [true, true, false, false, true, true]);
     }
 }

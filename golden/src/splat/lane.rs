@@ -1,8 +1,8 @@
 //! Lane: a rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3).
 
 use super::{
-    Accumulator, Latencies, Rasterizer, Reorder, TileCache, Weighting, accumulator, rasterizer, reorder, tile_cache,
-    weighting,
+    Accumulator, Latencies, Payloads, Rasterizer, Reorder, TileCache, Weighting, accumulator, payloads, rasterizer,
+    reorder, tile_cache, weighting,
 };
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
@@ -12,6 +12,8 @@ pub use pointcore_contract::splat::units::lane::{In, Out};
 /// What every unit of a lane shows in a cycle.
 #[derive(Clone, Debug)]
 pub struct Shown {
+    /// The payloads.
+    pub payloads: payloads::Out,
     /// The reorder stage.
     pub reorder: reorder::Out,
     /// The tile cache.
@@ -35,13 +37,14 @@ impl Shown {
     #[must_use]
     pub const fn ports(&self) -> Out {
         let tile_cache::Out { read, data_ready, write, pixel, .. } = self.tile_cache;
-        Out { in_ready: self.reorder.in_ready, read, data_ready, write, pixel, events: self.events() }
+        Out { in_ready: self.payloads.in_ready, read, data_ready, write, pixel, events: self.events() }
     }
 }
 
 /// A lane.
 #[derive(Clone, Debug)]
 pub struct Lane {
+    payloads: Payloads,
     reorder: Reorder,
     tile_cache: TileCache,
     rasterizer: Rasterizer,
@@ -54,6 +57,7 @@ impl Lane {
     #[must_use]
     pub fn new(config: &Config, latencies: &Latencies) -> Self {
         Self {
+            payloads: Payloads::new(config),
             reorder: Reorder::new(config),
             tile_cache: TileCache::new(config),
             rasterizer: Rasterizer::new(config, latencies.rasterizer),
@@ -66,6 +70,7 @@ impl Lane {
     #[must_use]
     pub fn shown(&self) -> Shown {
         Shown {
+            payloads: self.payloads.outputs(),
             reorder: self.reorder.outputs(),
             tile_cache: self.tile_cache.outputs(),
             rasterizer: self.rasterizer.outputs(),
@@ -76,11 +81,17 @@ impl Lane {
 
     /// One clock edge of units that show this.
     pub fn step(&mut self, inputs: &In, shown: &Shown) {
-        let Shown { reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
-        self.reorder.clock(&reorder::In { input: inputs.input, out_ready: tile_cache.in_ready });
+        let Shown { payloads, reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        self.payloads.clock(&payloads::In {
+            input: inputs.input,
+            copy_ready: reorder.in_ready,
+            placed: tile_cache.out,
+            out_ready: rasterizer.in_ready,
+        });
+        self.reorder.clock(&reorder::In { input: payloads.copy, out_ready: tile_cache.in_ready });
         self.tile_cache.clock(&tile_cache::In {
             input: reorder.out,
-            out_ready: rasterizer.in_ready,
+            out_ready: payloads.placed_ready,
             read_ready: inputs.read_ready,
             data: inputs.data,
             write_ready: inputs.write_ready,
@@ -91,7 +102,7 @@ impl Lane {
             drained: accumulator.drained,
         });
         self.rasterizer.clock(&rasterizer::In {
-            input: tile_cache.out,
+            input: payloads.out,
             out_ready: weighting.in_ready,
             filter_scale: inputs.filter_scale,
         });

@@ -52,7 +52,7 @@ impl Lists {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        let pointers = config.payloads() as usize;
+        let pointers = config.pointers() as usize;
         Self {
             share: Share::new(config),
             tiles_in_turn: config.turns() as usize,

@@ -1,6 +1,6 @@
 //! Reorder stage: sorts copies by tile while many are on their way (thesis 5.5.2).
 //!
-//! The heap sorts tiles and pointers; the rest of a copy waits in a payload memory. An end record leaves after all copies before
+//! Heap or lists sort tiles and pointers; the rest of a copy waits in a memory. An end record leaves after all copies before
 //! it, and nothing after it enters until it left.
 
 use super::heap::{self, Heap};
@@ -10,7 +10,7 @@ use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::records::HeapEntry;
-use pointcore_contract::splat::records::SplatCopy;
+use pointcore_contract::splat::records::TileCopy;
 pub use pointcore_contract::splat::units::reorder::{In, Out};
 
 /// What orders the pointers.
@@ -42,39 +42,37 @@ impl Order {
 /// The reorder stage.
 #[derive(Clone, Debug)]
 pub struct Reorder {
-    input: HalfBuffer<SplatCopy>,
+    input: HalfBuffer<TileCopy>,
     order: Order,
-    payloads: Vec<SplatCopy>,
-    /// Pointers never used yet count up to the number of payloads.
+    copies: Vec<TileCopy>,
+    /// Pointers never used yet count up to the number of copies.
     fresh: usize,
     returned: Fifo<u16>,
     /// The pointer that the next copy gets.
     free: Option<u16>,
     /// An end record waits for the copies before it.
     draining: bool,
-    read: Option<SplatCopy>,
-    caught: HalfBuffer<SplatCopy>,
-    out: HalfBuffer<SplatCopy>,
+    read: Option<TileCopy>,
+    out: HalfBuffer<TileCopy>,
 }
 
 impl Reorder {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        let pointers = 1 << config.heap_levels;
+        let pointers = config.pointers() as usize;
         Self {
             input: HalfBuffer::default(),
             order: match config.reorder {
                 Reordering::Heap => Order::Heap(Heap::new(config)),
                 Reordering::Lists => Order::Lists(Lists::new(config)),
             },
-            payloads: vec![SplatCopy::default(); pointers],
+            copies: vec![TileCopy::default(); pointers],
             fresh: 0,
             returned: Fifo::new(pointers),
             free: None,
             draining: false,
             read: None,
-            caught: HalfBuffer::default(),
             out: HalfBuffer::default(),
         }
     }
@@ -99,20 +97,20 @@ impl Model for Reorder {
         });
 
         // The output side, as the registers stand before this cycle.
-        let has_room = self.caught.in_ready();
+        let has_room = self.out.in_ready();
         let advances = self.read.is_none() || has_room;
         let drained = self.draining && order.empty && self.read.is_none() && has_room;
-        let pushed = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
+        let pushed = if drained { Some(TileCopy { end: true, ..TileCopy::default() }) } else { self.read };
         let leaving = order.out.filter(|_| advances);
         if advances {
-            self.read = leaving.map(|entry| self.payloads[usize::from(entry.pointer)]);
+            self.read = leaving.map(|entry| self.copies[usize::from(entry.pointer)]);
         }
 
         let inserted = offer.filter(|_| order.in_ready);
         let mut takes_returned = false;
         match self.free {
             Some(_) => self.free = self.free.filter(|_| inserted.is_none()),
-            None if self.fresh < self.payloads.len() => {
+            None if self.fresh < self.copies.len() => {
                 self.free = Some(self.fresh as u16);
                 self.fresh += 1;
             }
@@ -123,14 +121,12 @@ impl Model for Reorder {
         }
         self.returned.step(leaving.map(|entry| entry.pointer), takes_returned);
         if let Some((entry, copy)) = inserted {
-            self.payloads[usize::from(entry.pointer)] = copy;
+            self.copies[usize::from(entry.pointer)] = copy;
         }
         self.draining = ends || (self.draining && !drained);
         self.order.clock(offer.map(|(entry, _)| entry), advances);
         self.input.step(inputs.input, ends || inserted.is_some());
-        let out_has_room = self.out.in_ready();
-        self.out.step(self.caught.out().copied(), inputs.out_ready);
-        self.caught.step(pushed, out_has_room);
+        self.out.step(pushed, inputs.out_ready);
     }
 }
 
@@ -147,11 +143,11 @@ mod tests {
             let config = Config { heap_levels: 3, reorder: order, tiles_in_turn: 1, ..Config::default() };
             let mut reorder = Reorder::new(&config);
             let copy = |number: u32, random: &mut fastrand::Rng| {
-                let mut copy = SplatCopy { end: number % 50 == 49, tile: random.u32(0..6), ..SplatCopy::default() };
-                copy.attributes[0] = number;
+                let mut copy = TileCopy { end: number % 50 == 49, tile: random.u32(0..6), ..TileCopy::default() };
+                copy.splat = number as u16;
                 copy
             };
-            let mut sent: Vec<Vec<SplatCopy>> = vec![Vec::new()];
+            let mut sent: Vec<Vec<TileCopy>> = vec![Vec::new()];
             let mut received = sent.clone();
             let mut number = 0;
             let mut input = None;

@@ -36,6 +36,8 @@ struct Work {
     splat: SetupSplat,
     tile_column: u16,
     tile_row: u16,
+    /// No copy has been made of it.
+    first: bool,
     /// Those of the current tile, once they are known.
     diagonals: Option<Diagonals>,
 }
@@ -43,7 +45,7 @@ struct Work {
 impl Work {
     fn new(splat: SetupSplat) -> Self {
         let (tile_column, tile_row) = (splat.bounds.left / SIZE, splat.bounds.top / SIZE);
-        Self { splat, tile_column, tile_row, diagonals: None }
+        Self { splat, tile_column, tile_row, first: true, diagonals: None }
     }
 
     fn is_last(&self) -> bool {
@@ -98,7 +100,7 @@ impl Work {
             [first_sum, last_sum, first_difference, last_difference, top, bottom].map(|place| place as u16);
         let bounds = TileRectangle { left, right, top, bottom };
         let diagonals = TileDiagonals { first_sum, last_sum, first_difference, last_difference };
-        Some(SplatCopy { end, footprint, attributes, bounds, diagonals, tile })
+        Some(SplatCopy { end, first: self.first, footprint, attributes, bounds, diagonals, tile })
     }
 }
 
@@ -129,7 +131,8 @@ impl Splitter {
     pub fn copies(&self, splat: &SetupSplat) -> impl Iterator<Item = SplatCopy> {
         let grid = self.grid;
         let works = std::iter::successors(Some(Work::new(*splat)), |work| (!work.is_last()).then(|| work.next()));
-        works.filter_map(move |work| work.copy(grid, work.diagonals(grid)))
+        let copies = works.filter_map(move |work| work.copy(grid, work.diagonals(grid)));
+        copies.enumerate().map(|(index, copy)| SplatCopy { first: index == 0, ..copy })
     }
 
     fn in_ready(&self) -> bool {
@@ -155,7 +158,8 @@ impl Model for Splitter {
             }
             work if self.out.in_ready() => {
                 copy = work.and_then(|work| work.copy(self.grid, work.diagonals?));
-                self.work = if self.in_ready() { inputs.input.map(Work::new) } else { work.map(Work::next) };
+                let next = work.map(|work| Work { first: work.first && copy.is_none(), ..work.next() });
+                self.work = if self.in_ready() { inputs.input.map(Work::new) } else { next };
             }
             _ => {}
         }
@@ -201,7 +205,7 @@ mod tests {
                     let (origin_x, origin_y) = ((copy.tile & 7) as u16 * 8, (copy.tile >> 3) as u16 * 8);
                     assert!(copy.bounds.top <= copy.bounds.bottom);
                     for y in copy.bounds.top..=copy.bounds.bottom {
-                        let columns = columns(sampling, &copy, y);
+                        let columns = columns(sampling, &copy.bounds, &copy.diagonals, y);
                         assert!(!columns.is_empty(), "row {y} of {copy:?}");
                         columns.for_each(|x| covered[usize::from(origin_y + y) * 64 + usize::from(origin_x + x)] += 1);
                     }
@@ -263,6 +267,10 @@ mod tests {
         let (mut accepted, mut copies) = (0, 0);
         for cycle in 0..42 {
             let out = splitter.outputs();
+            assert!(
+                out.out.is_none_or(|copy| copy.first == (copies % 2 == 0)),
+                "the first copy of a splat in cycle {cycle}"
+            );
             accepted += u32::from(out.in_ready);
             copies += u32::from(out.out.is_some());
             assert!(

@@ -44,7 +44,7 @@ fn reorders() -> [Proof; 3] {
     let reorder = |name, reorder, patience| {
         let config = Config { heap_levels: 2, reorder, tile_slots: 3, ..copies() };
         let sizes =
-            [("POINTERS", config.payloads()), ("ATTRIBUTE_BITS", config.attribute.width()), ("PATIENCE", patience)];
+            [("POINTERS", config.pointers()), ("ATTRIBUTE_BITS", config.attribute.width()), ("PATIENCE", patience)];
         Proof::new(name, reorder::module(&config), &sizes)
     };
     [

@@ -2,6 +2,7 @@
 //! golden twin: `pointcore_golden::splat::distributor`.
 
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::SplatCopy;
 use pointcore_contract::splat::units::distributor::PORTS;
 
 use super::parts::share;
@@ -19,13 +20,22 @@ pub fn module(config: &Config, level: u32) -> Module {
     let empty = m.forward("empty", 1);
     m.drive(input.ready, empty);
     let takes = m.wire("takes", empty & input.valid);
-    let copy = input.record.register(&mut m, config, "copy_", empty);
     let is_high = match config.rasterizer_bits() {
         0 => input.record.tile.bit(0),
         _ => share::number_bit(config, input.record.tile, bit),
     };
-    let is_for = [!is_high, is_high].map(|is_for| input.record.end | is_for);
+    let sides = [!is_high, is_high];
+    let is_for = sides.map(|is_side| input.record.end | is_side);
     let [low, high] = ["leaves_low", "leaves_high"].map(|name| m.reg_reset(name, 1, 0));
+
+    // On each side the first copy of a splat is another.
+    let begun = ["low_begun", "high_begun"].map(|name| m.reg_reset(name, 1, 0));
+    let [low_begun, high_begun] = begun.map(|begun| begun & !input.record.first);
+    for ((register, begun), is_side) in begun.into_iter().zip([low_begun, high_begun]).zip(sides) {
+        m.next_if(register, takes & !input.record.end, begun | is_side);
+    }
+    let first = !is_high.mux(high_begun, low_begun);
+    let copy = SplatCopy { first, ..input.record }.register(&mut m, config, "copy_", empty);
     let taken = [PORTS.low.drive(&mut m, config, low, copy), PORTS.high.drive(&mut m, config, high, copy)];
     for ((leaves, is_for), taken) in [low, high].into_iter().zip(is_for).zip(taken) {
         m.next(leaves, (takes & is_for) | (leaves & !taken));

@@ -1,7 +1,7 @@
 //! A rasterizer and all that it has to itself, from copies to finished pixels (thesis 5.5.3); golden twin:
 //! `pointcore_golden::splat::lane`.
 
-use super::{accumulator, rasterizer, reorder, tile_cache, weighting};
+use super::{accumulator, payloads, rasterizer, reorder, tile_cache, weighting};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::units::ports::{InputPorts, OutputPorts, StreamInPorts, StreamOutPorts, WordPort, pipe, pulse};
 use pointcore_contract::splat::Config;
@@ -43,17 +43,20 @@ pub fn lane(config: &Config, options: &Options) -> Result<Lane, CompileError> {
         manifests.insert(name.to_owned(), datapath.manifest);
         m.instance(name, datapath.module)
     };
+    let payloads = m.instance("payloads", payloads::module(config));
     let reorder = m.instance("reorder", reorder::module(config));
     let cache = m.instance("tile_cache", tile_cache::module(config));
     let rasterizer = datapath(&mut m, "rasterizer", rasterizer::datapath(config, options)?);
     let weighting = datapath(&mut m, "weighting", weighting::datapath(config, options)?);
     let accumulator = m.instance("accumulator", accumulator::module(config));
 
-    use units::{accumulator as sums, rasterizer as samples, tile_cache as tiles};
+    use units::{accumulator as sums, payloads as splats, rasterizer as samples, tile_cache as tiles};
     let copy = PORTS.input.declare(&mut m, config);
-    units::reorder::PORTS.input.feed(&mut m, config, reorder, copy);
+    splats::PORTS.input.feed(&mut m, config, payloads, copy);
+    pipe(&mut m, config, (payloads, splats::PORTS.copy), (reorder, units::reorder::PORTS.input));
     pipe(&mut m, config, (reorder, units::reorder::PORTS.out), (cache, tiles::PORTS.input));
-    pipe(&mut m, config, (cache, tiles::PORTS.out), (rasterizer, samples::PORTS.input));
+    pipe(&mut m, config, (cache, tiles::PORTS.out), (payloads, splats::PORTS.placed));
+    pipe(&mut m, config, (payloads, splats::PORTS.out), (rasterizer, samples::PORTS.input));
     pipe(&mut m, config, (rasterizer, samples::PORTS.out), (weighting, units::weighting::PORTS.input));
     pipe(&mut m, config, (weighting, units::weighting::PORTS.out), (accumulator, sums::PORTS.input));
     slots(&mut m, config, [cache, accumulator]);

@@ -92,11 +92,11 @@ impl Turns {
 pub fn module(config: &Config) -> Module {
     let (place_bits, pointer_bits) = (config.place_bits(), config.heap_levels);
     let mut m = Module::new("splat_lists", "Lists of splat copies, one for each tile; some are served in turn.");
-    m.parameter("pointers", config.payloads());
+    m.parameter("pointers", config.pointers());
     m.parameter("tiles_in_turn", config.turns());
     let input = PORTS.input.declare(&mut m, config);
     let out = PORTS.out.queue(&mut m, config);
-    let queue = fifo(config.payloads(), &layout::<HeapEntry>(config));
+    let queue = fifo(config.pointers(), &layout::<HeapEntry>(config));
     let (beginnings, waiting) = Pushed::<HeapEntry>::place(&mut m, config, "beginnings", queue);
     // What a block RAM shows comes late in the cycle.
     let waiting = waiting.through(&mut m, config, "first", half_buffer(&layout::<HeapEntry>(config)));
@@ -143,7 +143,7 @@ pub fn module(config: &Config) -> Module {
     let begins = m.wire("begins", linking & !follows);
     m.assert("a_list_that_begins_has_room", !begins | beginnings.room);
     beginnings.push(&mut m, config, begins, appended);
-    let links = m.memory_unordered("links", config.payloads(), pointer_bits);
+    let links = m.memory_unordered("links", config.pointers(), pointer_bits);
     m.write(links, linking & follows, last, appended.pointer);
 
     // A list that was opened takes its turn; one that gave an entry looks up the next, and takes its turn again.

@@ -9,6 +9,7 @@ pub mod heap;
 pub mod lane;
 pub mod lists;
 pub mod normalizer;
+pub mod payloads;
 pub mod rasterizer;
 pub mod reorder;
 pub mod setup;
@@ -29,11 +30,12 @@ use rtl::Module;
 pub type Describe = fn(&Config) -> Result<Module, CompileError>;
 
 /// Every unit of the renderer and its hardware, the core itself last.
-pub const UNITS: [(&Unit<Config>, Describe); 16] = [
+pub const UNITS: [(&Unit<Config>, Describe); 17] = [
     (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
     (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
     (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
     (&units::distributor::UNIT, |config| Ok(distributor::module(config, 0))),
+    (&units::payloads::UNIT, |config| Ok(payloads::module(config))),
     (&units::heap::UNIT, |config| Ok(heap::module(config))),
     (&units::lists::UNIT, |config| Ok(lists::module(config))),
     (&units::reorder::UNIT, |config| Ok(reorder::module(config))),

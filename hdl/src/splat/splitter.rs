@@ -163,15 +163,19 @@ pub fn module(config: &Config) -> Module {
         [clip(bounds.top, top_most, 0), clip(bounds.bottom, bottom_most, TILE_SIZE - 1)],
     );
     let occupied = m.wire("occupied", splat.end | top.lt(past));
+    let push = m.wire("push", step & occupied);
+    let first = m.reg("first", 1);
+    m.next(first, take | (first & !push));
     let (top, bottom) = (top.trunc(LOCAL_BITS), past.sub_lit(1).trunc(LOCAL_BITS));
     let copy = SplatCopy {
         end: splat.end,
+        first: *first,
         footprint: splat.footprint,
         attributes: splat.attributes,
         bounds: TileRectangle { left, right, top, bottom },
         diagonals: diagonals.of_tile(),
         tile: cat([row, column]),
     };
-    out.push(&mut m, config, step & occupied, copy);
+    out.push(&mut m, config, push, copy);
     m
 }

@@ -19,13 +19,13 @@ const STEP_CYCLES: u64 = 8;
 pub fn renderer(config: &splat::Config, latencies: &splat_model::Latencies) -> u64 {
     let pixels = u64::from(TILE_PIXELS);
     let splats = u64::from(latencies.transform + latencies.setup) + STEP_CYCLES;
-    let waiting = u64::from(config.payloads() + PLACED_QUEUE_DEPTH + COPY_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
+    let waiting = u64::from(config.pointers() + PLACED_QUEUE_DEPTH + COPY_QUEUE_DEPTH + SAMPLE_QUEUE_DEPTH);
     let copies = waiting + splats * u64::from(config.tile_slots);
-    let copy = pixels + u64::from(config.accumulate_stages + config.heap_interval) + STEP_CYCLES;
+    let copy = pixels + u64::from(config.accumulate_stages + config.heap_interval + config.payload_beats) + STEP_CYCLES;
     let pipelines = u64::from(latencies.rasterizer + latencies.weighting + latencies.normalizer) + splats * 16;
-    // After reset the lists clear what they know of every tile.
+    // After reset the lists clear what they know of every tile, and payloads what they know of every place.
     let flush = (pixels + 2 * STEP_CYCLES) << config.tile_bits();
-    SLACK * (pipelines + copies * copy + flush)
+    SLACK * (pipelines + copies * copy + flush + u64::from(config.splats_held()))
 }
 
 /// Cycles in which a search core may move nothing while every stream is free.

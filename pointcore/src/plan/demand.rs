@@ -241,7 +241,9 @@ impl<'a> Units<'a> {
     /// Samples that the rasterizer visits.
     fn samples(&self, drawn: &SetupSplat) -> usize {
         let rows = |copy: &SplatCopy| copy.bounds.top..=copy.bounds.bottom;
-        let columns = |copy: &SplatCopy, row| rasterizer::columns(self.config.sampling, copy, row).count();
+        let columns = |copy: &SplatCopy, row| {
+            rasterizer::columns(self.config.sampling, &copy.bounds, &copy.diagonals, row).count()
+        };
         self.splitter.copies(drawn).map(|copy| rows(&copy).map(|row| columns(&copy, row)).sum::<usize>()).sum()
     }
 

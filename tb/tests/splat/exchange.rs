@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::records::{Pixel, PlacedCopy, SamplePlace, SplatCopy, WeightedSample};
+use pointcore_contract::splat::records::{Pixel, PlacedCopy, SamplePlace, TileCopy, WeightedSample};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use pointcore_contract::words;
 use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
@@ -47,7 +47,7 @@ pub struct Counts {
 pub struct Exchange {
     cache: TileCache,
     accumulator: Accumulator,
-    copies: VecDeque<SplatCopy>,
+    copies: VecDeque<TileCopy>,
     samples: VecDeque<WeightedSample>,
     tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
     beats: VecDeque<Pixel>,
@@ -62,13 +62,13 @@ pub struct Exchange {
 }
 
 /// Frames of copies: one of a single tile, one that wanders over the image, an empty one, and one of random tiles.
-fn copies(config: &Config, random: &mut Rng) -> VecDeque<SplatCopy> {
+fn copies(config: &Config, random: &mut Rng) -> VecDeque<TileCopy> {
     let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
     let mut copies = VecDeque::new();
     for (frame, count) in [600, 300, 0, 150].into_iter().enumerate() {
         for number in 0..=count {
-            let mut copy: SplatCopy = noise(config, random);
+            let mut copy: TileCopy = noise(config, random);
             copy.end = number == count;
             copy.tile = match frame {
                 0 => tile(3),

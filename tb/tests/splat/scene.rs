@@ -5,7 +5,7 @@ use pointcore::number::encode_attribute;
 use pointcore::splat::END;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{
-    Attributes, EpsilonScale, ModelView, PlacedCopy, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
+    Attributes, CompleteCopy, EpsilonScale, ModelView, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
 };
 use pointcore_contract::splat::units::{rasterizer, setup, splitter, transform};
 use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
@@ -149,12 +149,23 @@ pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
     through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
-/// Copies with slots, and one end record behind them all: the rasterizer sees no copy until its frame has ended.
-pub fn placed_copies(config: &Config, count: usize) -> Vec<PlacedCopy> {
+/// Copies with slots and payloads, and one end record behind them all: the rasterizer sees no copy until its frame has ended.
+pub fn complete_copies(config: &Config, count: usize) -> Vec<CompleteCopy> {
     let mut random = random();
     let copies = copies(config, count).into_iter().filter(|copy| !copy.end);
-    let place = |copy| PlacedCopy { copy, slot: random.u8(0..config.tile_slots as u8) };
-    let end = PlacedCopy { copy: SplatCopy { end: true, ..SplatCopy::default() }, slot: 0 };
+    let place = |copy| {
+        let SplatCopy { end, footprint, attributes, bounds, diagonals, tile, .. } = copy;
+        CompleteCopy {
+            end,
+            footprint,
+            attributes,
+            bounds,
+            diagonals,
+            tile,
+            slot: random.u8(0..config.tile_slots as u8),
+        }
+    };
+    let end = CompleteCopy { end: true, ..CompleteCopy::default() };
     copies.map(place).chain([end]).collect()
 }
 
@@ -162,5 +173,5 @@ pub fn placed_copies(config: &Config, count: usize) -> Vec<PlacedCopy> {
 pub fn samples(config: &Config, count: usize) -> Vec<Sample> {
     let filter_scale = registers(config).filter_scale;
     let see = |input| rasterizer::In { input, out_ready: true, filter_scale };
-    through(Rasterizer::new(config, 1), &placed_copies(config, count), see, |shown| (shown.in_ready, shown.out))
+    through(Rasterizer::new(config, 1), &complete_copies(config, count), see, |shown| (shown.in_ready, shown.out))
 }

@@ -93,11 +93,13 @@ pub struct SetupSplat {
     pub diagonals: ImageDiagonals,
 }
 
-/// A splat's copy for one tile, with its bounds in the tile.
+/// A splat's copy for one tile, with its bounds in the tile. The copies of a splat come one after the other.
 #[record(config: Config)]
 pub struct SplatCopy {
     /// Closes the frame.
     pub end: bool,
+    /// It is the first of its splat.
+    pub first: bool,
     /// Footprint.
     pub footprint: Footprint,
     /// Attributes.
@@ -114,23 +116,64 @@ pub struct SplatCopy {
     pub tile: u32,
 }
 
+/// What of a copy is its own: all else is its splat's, and waits where `splat` says.
+#[record(config: Config)]
+pub struct TileCopy {
+    /// Closes the frame.
+    pub end: bool,
+    /// Bounds in the tile.
+    pub bounds: TileRectangle,
+    /// What they leave of its corners.
+    pub diagonals: TileDiagonals,
+    /// Tile index: row above column.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Place of its splat's payload.
+    #[bits(config.splat_bits())]
+    pub splat: u16,
+}
+
 /// A copy with the slot its tile lives in.
 #[record(config: Config)]
 pub struct PlacedCopy {
     /// The copy.
-    pub copy: SplatCopy,
+    pub copy: TileCopy,
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
 }
 
-/// What the heap orders: a copy's tile and where its payload lies.
+/// A copy with its slot, and with its splat's payload again.
+#[record(config: Config)]
+pub struct CompleteCopy {
+    /// Closes the frame.
+    pub end: bool,
+    /// Footprint.
+    pub footprint: Footprint,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+    /// Bounds in the tile.
+    pub bounds: TileRectangle,
+    /// What they leave of its corners.
+    pub diagonals: TileDiagonals,
+    /// Tile index: row above column.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Slot of the tile cache.
+    #[bits(config.slot_bits())]
+    pub slot: u8,
+}
+
+/// What the heap orders: a copy's tile and where the rest of it lies.
 #[record(config: Config)]
 pub struct HeapEntry {
     /// Tile index.
     #[bits(config.tile_bits())]
     pub tile: u32,
-    /// Place of the payload.
+    /// Place of the rest.
     #[bits(config.heap_levels)]
     pub pointer: u16,
 }

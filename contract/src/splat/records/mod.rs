@@ -11,7 +11,8 @@ mod sample;
 mod uniforms;
 
 pub use copy::{
-    HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileDiagonals, TileRectangle,
+    CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileCopy,
+    TileDiagonals, TileRectangle,
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
 pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};

@@ -2,7 +2,8 @@
 
 use crate::splat::Config;
 use crate::splat::records::{
-    Fill, FinishedPixel, HeapEntry, Pixel, PlacedCopy, PlacedPixel, SetupSplat, Slot, SlotPixel, SplatCopy, Tile,
+    CompleteCopy, Fill, FinishedPixel, HeapEntry, Pixel, PlacedCopy, PlacedPixel, SetupSplat, Slot, SlotPixel,
+    SplatCopy, Tile, TileCopy,
 };
 use crate::unit;
 
@@ -14,6 +15,20 @@ pub struct Splitter {
     input: In<SetupSplat>,
     /// Copies with bounds in their tiles.
     out: Out<SplatCopy>,
+}
+
+/// Keeps what the copies of a splat have in common, once, while the copies are put in order.
+#[unit(splat_payloads, config: Config)]
+pub struct Payloads {
+    /// Copies, those of a splat one after the other.
+    #[port("in")]
+    input: In<SplatCopy>,
+    /// The same, with where their payload lies in its place.
+    copy: Out<TileCopy>,
+    /// Copies that are to be drawn, in any order.
+    placed: In<PlacedCopy>,
+    /// The same with their payload.
+    out: Out<CompleteCopy>,
 }
 
 /// Orders entries by tile, and within a tile by arrival (thesis 5.5.2).
@@ -45,9 +60,9 @@ pub struct Lists {
 pub struct Reorder {
     /// Copies in any order.
     #[port("in")]
-    input: In<SplatCopy>,
+    input: In<TileCopy>,
     /// Copies in order of tiles.
-    out: Out<SplatCopy>,
+    out: Out<TileCopy>,
 }
 
 /// Keeps tiles of the reconstruction buffer in slots, and fetches them ahead.
@@ -55,7 +70,7 @@ pub struct Reorder {
 pub struct TileCache {
     /// Copies in order of tiles.
     #[port("in")]
-    input: In<SplatCopy>,
+    input: In<TileCopy>,
     /// Copies with their slots.
     out: Out<PlacedCopy>,
     /// Request for the pixels of a tile.

@@ -7,7 +7,7 @@ mod samples;
 mod splats;
 mod whole;
 
-pub use copies::{heap, lists, reorder, splitter, tile_cache};
+pub use copies::{heap, lists, payloads, reorder, splitter, tile_cache};
 pub use events::{AccumulatorEvents, Events, LaneEvents, RasterizerEvents};
 pub use lanes::{collector, distributor, lane};
 pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
@@ -18,11 +18,12 @@ use super::config::Config;
 use crate::Unit;
 
 /// Every unit of the renderer, the core itself last.
-pub static UNITS: [&Unit<Config>; 16] = [
+pub static UNITS: [&Unit<Config>; 17] = [
     &transform::UNIT,
     &setup::UNIT,
     &splitter::UNIT,
     &distributor::UNIT,
+    &payloads::UNIT,
     &heap::UNIT,
     &lists::UNIT,
     &reorder::UNIT,

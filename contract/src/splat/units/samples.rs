@@ -4,7 +4,7 @@ use super::events::{AccumulatorEvents, RasterizerEvents};
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
 use crate::splat::records::{
-    Fill, FinishedPixel, Fragment, Pixel, PlacedCopy, Sample, Slot, SlotPixel, WeightedSample,
+    CompleteCopy, Fill, FinishedPixel, Fragment, Pixel, Sample, Slot, SlotPixel, WeightedSample,
 };
 use crate::unit;
 
@@ -13,7 +13,7 @@ use crate::unit;
 pub struct Rasterizer {
     /// Copies with their slots.
     #[port("in")]
-    input: In<PlacedCopy>,
+    input: In<CompleteCopy>,
     /// Samples.
     out: Out<Sample>,
     /// The reciprocal of the squared radius of the screen filter.

@@ -16,7 +16,7 @@ use crate::unit::Model;
 use fixed_distance::Distance;
 use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
 use pointcore_contract::splat::records::{
-    Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, SplatCopy,
+    Attributes, Band, CompleteCopy, DepthPlane, Footprint, Sample, SamplePlace, TileDiagonals, TileRectangle,
 };
 use pointcore_contract::splat::units::RasterizerEvents;
 pub use pointcore_contract::splat::units::rasterizer::{In, Out};
@@ -29,8 +29,7 @@ const SIZE: u16 = TILE_SIZE as u16;
 
 /// Columns of samples in a row of a copy, between the edges of its octagon.
 #[must_use]
-pub fn columns(sampling: Sampling, copy: &SplatCopy, row: u16) -> RangeInclusive<u16> {
-    let SplatCopy { bounds, diagonals, .. } = copy;
+pub fn columns(sampling: Sampling, bounds: &TileRectangle, diagonals: &TileDiagonals, row: u16) -> RangeInclusive<u16> {
     let samples = sampling.columns() as u16;
     let below = SIZE - 1 - row;
     let first = diagonals.first_sum.saturating_sub(row).max(diagonals.first_difference.saturating_sub(below));
@@ -41,20 +40,20 @@ pub fn columns(sampling: Sampling, copy: &SplatCopy, row: u16) -> RangeInclusive
 /// The copy under rasterization and its next pixel, in tile coordinates.
 #[derive(Clone, Copy, Debug)]
 struct Scan {
-    placed: PlacedCopy,
+    copy: CompleteCopy,
     sampling: Sampling,
     column: u16,
     row: u16,
 }
 
 impl Scan {
-    fn new(sampling: Sampling, placed: PlacedCopy) -> Self {
-        let row = placed.copy.bounds.top;
-        Self { placed, sampling, column: *columns(sampling, &placed.copy, row).start(), row }
+    fn new(sampling: Sampling, copy: CompleteCopy) -> Self {
+        let row = copy.bounds.top;
+        Self { copy, sampling, column: *columns(sampling, &copy.bounds, &copy.diagonals, row).start(), row }
     }
 
     fn columns(&self, row: u16) -> RangeInclusive<u16> {
-        columns(self.sampling, &self.placed.copy, row)
+        columns(self.sampling, &self.copy.bounds, &self.copy.diagonals, row)
     }
 
     fn is_row_done(&self) -> bool {
@@ -62,7 +61,7 @@ impl Scan {
     }
 
     fn is_last(&self) -> bool {
-        let copy = &self.placed.copy;
+        let copy = &self.copy;
         copy.end || (self.row == copy.bounds.bottom && self.is_row_done())
     }
 
@@ -134,7 +133,7 @@ impl Rasterizer {
 
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
     fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<(SamplePlace, Option<Band>)> {
-        let PlacedCopy { copy, slot } = &scan.placed;
+        let copy = &scan.copy;
         if copy.end {
             return Some((SamplePlace { end: true, ..SamplePlace::default() }, None));
         }
@@ -150,7 +149,7 @@ impl Rasterizer {
                 end: false,
                 last,
                 inside,
-                slot: *slot,
+                slot: copy.slot,
                 pixel: (scan.row * SIZE + scan.column) as u8,
                 weight: self.weight(squared),
             };
@@ -264,20 +263,18 @@ impl Model for Rasterizer {
         let taken = inputs.input.filter(|_| self.in_ready());
         let sample = self.scan.as_ref().filter(|_| advances).and_then(|scan| self.sample(scan, inputs.filter_scale));
         self.events = RasterizerEvents {
-            sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.placed.copy.end),
+            sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.copy.end),
             starved: advances && !busy,
             blocked: busy && !advances,
         };
         if advances {
             match &mut self.scan {
                 Some(scan) if !scan.is_last() => scan.step(),
-                scan => *scan = taken.map(|placed| Scan::new(self.sampling, placed)),
+                scan => *scan = taken.map(|copy| Scan::new(self.sampling, copy)),
             }
         }
         let left = self.datapath.step(sample, inputs.out_ready);
-        let copy = taken
-            .filter(|placed| !placed.copy.end)
-            .map(|PlacedCopy { copy, .. }| (copy.footprint.band, copy.attributes));
+        let copy = taken.filter(|copy| !copy.end).map(|copy| (copy.footprint.band, copy.attributes));
         self.copies.step(copy, left.is_some_and(|(place, _)| place.last));
     }
 }

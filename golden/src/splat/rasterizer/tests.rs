@@ -4,7 +4,7 @@ use crate::splat::uniforms::SetupUniforms;
 use pointcore_contract::FragmentDepth;
 use pointcore_contract::splat::Coefficient;
 use pointcore_contract::splat::records::{
-    ImageRectangle, SetupSplat, Sight, Splat, SplatCopy, TileDiagonals, TileRectangle, Viewport,
+    ImageRectangle, SetupSplat, Sight, Splat, TileDiagonals, TileRectangle, Viewport,
 };
 
 fn bits(number: f32) -> u32 {
@@ -12,7 +12,7 @@ fn bits(number: f32) -> u32 {
 }
 
 /// A disc of 3 px radius that faces the eye, in tile (1, 1) of the default image, about the tile's fourth pixel's corner.
-fn disc(slot: u8) -> PlacedCopy {
+fn disc(slot: u8) -> CompleteCopy {
     let footprint = Footprint {
         center: [bits(12.0); 2],
         ax: bits(3.0),
@@ -25,7 +25,7 @@ fn disc(slot: u8) -> PlacedCopy {
     let bounds = TileRectangle { left: 1, right: 6, top: 1, bottom: 6 };
     // 4.2 px to either side of the centre, where column and row of a sample are ½ more than its pixel's.
     let diagonals = TileDiagonals { first_sum: 3, last_sum: 11, first_difference: 3, last_difference: 11 };
-    PlacedCopy { copy: SplatCopy { footprint, bounds, diagonals, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
+    CompleteCopy { footprint, bounds, diagonals, tile: 1 << 5 | 1, slot, ..CompleteCopy::default() }
 }
 
 #[test]

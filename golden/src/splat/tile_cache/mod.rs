@@ -15,7 +15,7 @@ use moves::{Drain, Job, JobStep};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_contract::splat::records::{
-    Fill, FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Slot, SlotPixel, SplatCopy, Tile,
+    Fill, FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Slot, SlotPixel, Tile, TileCopy,
 };
 pub use pointcore_contract::splat::units::tile_cache::{In, Out};
 
@@ -69,9 +69,9 @@ pub struct TileCache {
     frame_ended: bool,
     read: Option<Tile>,
     fill: Option<Fill>,
-    input: HalfBuffer<SplatCopy>,
+    input: HalfBuffer<TileCopy>,
     /// The copy that is placed next.
-    head: Option<SplatCopy>,
+    head: Option<TileCopy>,
     out: Fifo<PlacedCopy>,
     write: Skid<PlacedPixel>,
     pixel: Skid<FinishedPixel>,

@@ -55,7 +55,7 @@ impl Surroundings {
     }
 
     /// A cycle of the cache with what it offers and asks for. Returns whether the copy was accepted and the frame ended.
-    fn step(&mut self, cache: &mut TileCache, input: Option<SplatCopy>, random: &mut Rng) -> (bool, bool) {
+    fn step(&mut self, cache: &mut TileCache, input: Option<TileCopy>, random: &mut Rng) -> (bool, bool) {
         let out = cache.outputs();
         let retire = if random.bool() { self.retire(out.slot_ready) } else { None };
         let frame_end = self.frame_ends && self.copies.is_empty() && retire.is_none();
@@ -114,10 +114,10 @@ fn every_copy_reaches_its_tile_and_every_tile_comes_out() {
             around.expected.fill(0);
             around.finished.clear();
             // Runs of a tile, as the reorder stage makes them; few tiles, so that evicted ones come back.
-            let copy = |tile| SplatCopy { tile: tile * 5, ..SplatCopy::default() };
+            let copy = |tile| TileCopy { tile: tile * 5, ..TileCopy::default() };
             let mut copies: VecDeque<_> =
                 (0..100).flat_map(|_| vec![copy(random.u32(0..10)); random.usize(1..5)]).collect();
-            copies.push_back(SplatCopy { end: true, ..SplatCopy::default() });
+            copies.push_back(TileCopy { end: true, ..TileCopy::default() });
             let count = copies.len() as u32 - 1;
             loop {
                 let input = copies.front().copied().filter(|_| random.bool());

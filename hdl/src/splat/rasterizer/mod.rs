@@ -39,7 +39,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     m.drive(copy.ready, ready);
     let load = m.wire("load", ready & copy.valid);
     scanner.step(&mut m, config, &copy, advance, ready);
-    let splat = copy.record.copy;
+    let splat = copy.record;
     let shape = Shape::from(splat.footprint).register(&mut m, config, "", ready);
     evaluation.push(&mut m, config, scanner.busy, scanner.position(config, shape));
     let shared = Shared { band: splat.footprint.band, attributes: splat.attributes };

@@ -4,7 +4,7 @@ use super::position::{Position, Shape};
 use crate::units::ports::{Flow, held};
 use crate::units::wires::{Bundle, Wires};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{DIAGONAL_BITS, LOCAL_BITS, PlacedCopy, TileDiagonals, TileRectangle};
+use pointcore_contract::splat::records::{CompleteCopy, DIAGONAL_BITS, LOCAL_BITS, TileDiagonals, TileRectangle};
 use rtl::{Expr, Module, Reg, cat, lit};
 
 /// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins; the
@@ -70,13 +70,13 @@ impl Scanner {
     }
 
     /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
-    pub fn step(&self, m: &mut Module, config: &Config, copy: &Flow<PlacedCopy<Wires>>, advance: Expr, ready: Expr) {
+    pub fn step(&self, m: &mut Module, config: &Config, copy: &Flow<CompleteCopy<Wires>>, advance: Expr, ready: Expr) {
         let load = ready & copy.valid;
         let row_done = m.wire("row_done", self.column.eq(self.row_end));
         m.next_if(self.busy, advance, load | (self.busy & !self.last));
-        let PlacedCopy { copy, slot } = copy.record;
+        let copy = copy.record;
         m.next_if(self.end, ready, copy.end);
-        m.next_if(self.slot, ready, slot);
+        m.next_if(self.slot, ready, copy.slot);
         m.next_if(self.tile, ready, copy.tile);
         let diagonals = copy.diagonals;
         let TileRectangle { left, right, top, bottom } = copy.bounds;

@@ -7,7 +7,7 @@ mod state;
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::PLACED_QUEUE_DEPTH;
-use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, SplatCopy, Tile};
+use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, Tile, TileCopy};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
 use super::parts::share;
@@ -32,7 +32,7 @@ fn place(
     config: &Config,
     state: &State,
     directory: &Directory,
-    head: &Head<SplatCopy<Wires>>,
+    head: &Head<TileCopy<Wires>>,
     out: QueueOut<PlacedCopy>,
 ) -> Placement {
     let ready = m.wire("head_waits", state.is(Mode::Run) & head.valid);

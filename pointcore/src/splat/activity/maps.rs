@@ -3,7 +3,7 @@
 use pointcore_contract::Sampling;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
-use pointcore_contract::splat::records::{PlacedCopy, SamplePlace};
+use pointcore_contract::splat::records::{CompleteCopy, SamplePlace};
 use pointcore_golden::splat::rasterizer::columns;
 use std::collections::VecDeque;
 
@@ -102,14 +102,14 @@ impl SampleMaps {
     }
 
     /// A rasterizer takes a copy: it will evaluate each sample of its octagon.
-    pub(super) fn copy(&mut self, lane: usize, PlacedCopy { copy, slot }: &PlacedCopy) {
+    pub(super) fn copy(&mut self, lane: usize, copy: &CompleteCopy) {
         if copy.end {
             return;
         }
-        self.lanes[lane].tiles[usize::from(*slot)] = copy.tile;
+        self.lanes[lane].tiles[usize::from(copy.slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
         for row in copy.bounds.top..=copy.bounds.bottom {
-            let columns = columns(self.sampling, copy, row).map(usize::from);
+            let columns = columns(self.sampling, &copy.bounds, &copy.diagonals, row).map(usize::from);
             columns.for_each(|column| tile[usize::from(row) * SIZE + column] += 1);
         }
     }
@@ -158,7 +158,7 @@ impl SampleMaps {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::splat::records::{SplatCopy, TileDiagonals, TileRectangle};
+    use pointcore_contract::splat::records::{TileDiagonals, TileRectangle};
 
     #[test]
     fn counts_lie_where_their_pixels_do() {
@@ -168,8 +168,8 @@ mod tests {
         let bounds = TileRectangle { left: 0, right: 1, top: 3, bottom: 4 };
         // In the upper row the first column alone, and both in the lower one.
         let diagonals = TileDiagonals { first_sum: 0, last_sum: 14, first_difference: 0, last_difference: 4 };
-        maps.copy(0, &PlacedCopy { copy: SplatCopy { tile, bounds, diagonals, ..SplatCopy::default() }, slot: 1 });
-        maps.copy(0, &PlacedCopy { copy: SplatCopy { end: true, bounds, ..SplatCopy::default() }, slot: 0 });
+        maps.copy(0, &CompleteCopy { tile, bounds, diagonals, slot: 1, ..CompleteCopy::default() });
+        maps.copy(0, &CompleteCopy { end: true, bounds, ..CompleteCopy::default() });
         let place = SamplePlace { inside: true, slot: 1, pixel: 3 * 8 + 1, ..SamplePlace::default() };
         maps.sample(0, &place);
         maps.sample(0, &SamplePlace { inside: false, ..place });

@@ -72,7 +72,7 @@ impl Activity {
             } else if events.hazard {
                 samples.hazard(number);
             }
-            if let Some(copy) = lane.tile_cache.out.as_ref().filter(|_| lane.rasterizer.in_ready) {
+            if let Some(copy) = lane.payloads.out.as_ref().filter(|_| lane.rasterizer.in_ready) {
                 samples.copy(number, copy);
             }
             if let Some(sample) = lane.weighting.out.as_ref().filter(|_| lane.accumulator.in_ready) {

@@ -142,6 +142,7 @@ impl States {
 /// What is to be remembered of a lane.
 #[derive(Clone, Debug)]
 struct Lane {
+    payloads: Passage,
     reorder: Passage,
     tile_cache: Passage,
     weighting: Datapath,
@@ -152,6 +153,7 @@ struct Lane {
 impl Default for Lane {
     fn default() -> Self {
         Self {
+            payloads: Passage::default(),
             reorder: Passage::default(),
             tile_cache: Passage::default(),
             weighting: Datapath::new(1),
@@ -163,19 +165,22 @@ impl Default for Lane {
 impl Lane {
     /// What its units do, but for those that its events tell of.
     fn see(&mut self, inputs: &lane::In, shown: &lane::Shown, counts: &mut Counts) {
-        let lane::Shown { reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
-        let copies = Stream::new(inputs.input.as_ref(), reorder.in_ready);
+        let lane::Shown { payloads, reorder, tile_cache, rasterizer, weighting, accumulator } = shown;
+        let light = Stream::new(payloads.copy.as_ref(), reorder.in_ready);
+        let in_slots = Stream::new(tile_cache.out.as_ref(), payloads.placed_ready);
+        let complete = Stream::new(payloads.out.as_ref(), rasterizer.in_ready);
         let ordered = Stream::new(reorder.out.as_ref(), tile_cache.in_ready);
         let samples = Stream::new(rasterizer.out.as_ref(), weighting.in_ready);
         let weighted = Stream::new(weighting.out.as_ref(), accumulator.in_ready);
         let finished = Stream::new(tile_cache.pixel.as_ref(), inputs.pixel_ready);
-        counts.add(Unit::Reorder, self.reorder.see(copies, ordered), 1);
-        counts.add(Unit::TileCache, self.tile_cache(ordered, finished, shown), 1);
+        // What is on its way between its two sides is not its work.
+        counts.add(Unit::Payloads, self.payloads.see(in_slots, complete), 1);
+        counts.add(Unit::Reorder, self.reorder.see(light, ordered), 1);
+        counts.add(Unit::TileCache, self.tile_cache([ordered, in_slots, finished], shown), 1);
         counts.add(Unit::Weighting, self.weighting.see(samples, weighted), 1);
     }
 
-    fn tile_cache(&mut self, ordered: Stream, finished: Stream, shown: &lane::Shown) -> State {
-        let placed = Stream::new(shown.tile_cache.out.as_ref(), shown.rasterizer.in_ready);
+    fn tile_cache(&mut self, [ordered, placed, finished]: [Stream; 3], shown: &lane::Shown) -> State {
         let is_end = shown.tile_cache.pixel.as_ref().is_some_and(|pixel| pixel.end);
         self.is_flushing = (self.is_flushing || shown.accumulator.frame_end) && !(is_end && finished.moves());
         let moves = self.tile_cache.moves(ordered, placed) || finished.moves();

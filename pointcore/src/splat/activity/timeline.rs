@@ -17,6 +17,8 @@ pub enum Unit {
     Setup,
     /// The splitter.
     Splitter,
+    /// The payloads, where copies get theirs back.
+    Payloads,
     /// The reorder stage.
     Reorder,
     /// The tile cache.
@@ -39,6 +41,7 @@ impl Unit {
         Self::Transform,
         Self::Setup,
         Self::Splitter,
+        Self::Payloads,
         Self::Reorder,
         Self::TileCache,
         Self::Memory,
@@ -58,6 +61,7 @@ impl Unit {
             Self::Transform => "transform",
             Self::Setup => "setup",
             Self::Splitter => "splitter",
+            Self::Payloads => "payloads",
             Self::Reorder => "reorder",
             Self::TileCache => "tile cache",
             Self::Memory => "reconstruction buffer",
@@ -69,12 +73,15 @@ impl Unit {
     }
 }
 
-const UNITS: usize = 10;
+const UNITS: usize = 11;
 
 impl Unit {
     /// There are as many of it as rasterizers.
     const fn is_in_lane(self) -> bool {
-        matches!(self, Self::Reorder | Self::TileCache | Self::Rasterizer | Self::Weighting | Self::Accumulator)
+        matches!(
+            self,
+            Self::Payloads | Self::Reorder | Self::TileCache | Self::Rasterizer | Self::Weighting | Self::Accumulator
+        )
     }
 }
 

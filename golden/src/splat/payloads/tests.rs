@@ -1,0 +1,130 @@
+use super::*;
+use crate::testing::for_each_seed;
+use fastrand::Rng;
+
+/// Cycles without a transfer after which nothing is on its way.
+const QUIET_CYCLES: u32 = 60;
+
+/// What lies between the two sides: copies leave it in any order, those of a frame before its end.
+struct Between {
+    copies: Vec<TileCopy>,
+    room: usize,
+    offer: Option<PlacedCopy>,
+}
+
+impl Between {
+    fn takes(&self, random: &mut Rng) -> bool {
+        self.copies.len() < self.room && !self.copies.iter().any(|copy| copy.end) && random.u8(..4) > 0
+    }
+
+    /// What is offered to the way out.
+    fn offer(&mut self, random: &mut Rng) -> Option<PlacedCopy> {
+        let waits = self.copies.iter().filter(|copy| !copy.end).count();
+        if self.offer.is_none() && !self.copies.is_empty() && random.bool() {
+            let copy = self.copies.remove(random.usize(..waits.max(1)));
+            self.offer = Some(PlacedCopy { copy, slot: 3 });
+        }
+        self.offer
+    }
+}
+
+/// Splats of a few copies or of one for each tile, their number in an attribute and their copies' in the bounds; an end here and there.
+fn copies(random: &mut Rng, tiles: u32, splats: u32) -> Vec<SplatCopy> {
+    let mut copies = Vec::new();
+    for splat in 0..splats {
+        let count = if random.u8(..8) == 0 { tiles } else { random.u32(1..4) };
+        for number in 0..count {
+            let mut copy = SplatCopy { first: number == 0, tile: number, ..SplatCopy::default() };
+            copy.attributes[0] = splat;
+            copies.push(copy);
+        }
+        if random.u8(..8) == 0 {
+            copies.push(SplatCopy { end: true, first: random.bool(), ..SplatCopy::default() });
+        }
+    }
+    copies.push(SplatCopy { end: true, ..SplatCopy::default() });
+    copies
+}
+
+/// Sends copies through; returns what left, and the most copies between.
+fn run(payloads: &mut Payloads, sent: &[SplatCopy], room: usize, random: &mut Rng) -> (Vec<CompleteCopy>, usize) {
+    let mut between = Between { copies: Vec::new(), room, offer: None };
+    let (mut received, mut most, mut quiet) = (Vec::new(), 0, 0);
+    let mut input = None;
+    let mut rest = sent.iter().copied();
+    while quiet < QUIET_CYCLES {
+        let out = payloads.outputs();
+        input = input.or_else(|| if random.u8(..4) > 0 { rest.next() } else { None });
+        let (copy_ready, placed) = (between.takes(random), between.offer(random));
+        let inputs = In { input, copy_ready, placed, out_ready: random.bool() };
+        payloads.clock(&inputs);
+        let before = (received.len(), between.copies.len(), input.is_some());
+        received.extend(out.out.filter(|_| inputs.out_ready));
+        between.copies.extend(out.copy.filter(|_| copy_ready));
+        between.offer = between.offer.filter(|_| !out.placed_ready);
+        input = input.filter(|_| !out.in_ready);
+        most = most.max(between.copies.len());
+        quiet = if before == (received.len(), between.copies.len(), input.is_some()) { quiet + 1 } else { 0 };
+    }
+    assert!(input.is_none() && rest.next().is_none() && between.copies.is_empty(), "everything went through");
+    (received, most)
+}
+
+#[test]
+fn every_copy_gets_its_payload_and_every_place_is_free_again() {
+    for_each_seed("payloads", |random| {
+        let mut filled = 0;
+        for _ in 0..20 {
+            let config = Config {
+                width: 32,
+                height: 16,
+                splat_levels: random.u32(0..=3),
+                payload_beats: random.u32(1..=8),
+                ..Config::default()
+            };
+            let mut payloads = Payloads::new(&config);
+            let sent = copies(random, 1 << config.tile_bits(), 60);
+            let room = random.usize(1..24);
+            let (received, most) = run(&mut payloads, &sent, room, random);
+            filled += u32::from(most == room);
+            let identity = |end: bool, splat: u32, tile: u32| if end { None } else { Some((splat, tile)) };
+            let mut sent: Vec<_> = sent.iter().map(|copy| identity(copy.end, copy.attributes[0], copy.tile)).collect();
+            let mut left: Vec<_> =
+                received.iter().map(|copy| identity(copy.end, copy.attributes[0], copy.tile)).collect();
+            // Ends keep their place: in each frame there are the same copies.
+            sent.split_mut(Option::is_none).for_each(<[_]>::sort);
+            left.split_mut(Option::is_none).for_each(<[_]>::sort);
+            assert_eq!(left, sent, "{config:?}");
+            assert!(received.iter().all(|copy| copy.end || copy.slot == 3));
+            assert_eq!(payloads.places.released(), config.splats_held() as usize, "{config:?}");
+        }
+        assert!((1..20).contains(&filled), "what lies between was full in {filled} of 20 runs, places in others");
+    });
+}
+
+/// A copy every second cycle, or as often as its payload moves.
+#[test]
+fn copies_follow_each_other_as_fast_as_their_words() {
+    for (payload_beats, interval) in [(1, 2), (2, 2), (3, 3), (8, 8)] {
+        let config = Config { payload_beats, splat_levels: 4, ..Config::default() };
+        let mut payloads = Payloads::new(&config);
+        let copy = SplatCopy { first: true, ..SplatCopy::default() };
+        let (mut placed, mut left) = (None, Vec::new());
+        for cycle in 0..400_u32 {
+            let out = payloads.outputs();
+            payloads.clock(&In { input: Some(copy), copy_ready: placed.is_none(), placed, out_ready: true });
+            if placed.is_none() {
+                placed = out.copy.map(|copy| PlacedCopy { copy, slot: 0 });
+            } else if out.placed_ready {
+                placed = None;
+            }
+            left.extend(out.out.map(|_| cycle));
+        }
+        let last = left.windows(2).skip(10).map(|pair| pair[1] - pair[0]);
+        assert!(
+            last.clone().all(|distance| distance == interval),
+            "{payload_beats} words: {:?}",
+            last.collect::<Vec<_>>()
+        );
+    }
+}

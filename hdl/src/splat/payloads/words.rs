@@ -1,0 +1,71 @@
+//! Payloads in words.
+
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{ATTRIBUTES, Footprint};
+use pointcore_contract::{record, width};
+
+use crate::units::wires::{Bundle, Wires};
+use rtl::{Expr, address_width, cat, lit};
+
+/// What the copies of a splat have in common.
+#[record(config: Config)]
+pub(super) struct Payload {
+    /// Footprint.
+    pub footprint: Footprint,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+}
+
+/// A word that is written.
+pub(super) struct WrittenWord {
+    pub enable: Expr,
+    pub address: Expr,
+    pub word: Expr,
+}
+
+/// How a payload is cut into words, the first one on top.
+#[derive(Clone, Copy)]
+pub(super) struct Words {
+    pub count: u32,
+    width: u32,
+    /// Bits of the last one that hold nothing.
+    padding: u32,
+}
+
+impl Words {
+    pub fn of(config: &Config) -> Self {
+        let (count, bits) = (config.payload_beats, width::<Payload>(config));
+        let width = bits.div_ceil(count);
+        Self { count, width, padding: count * width - bits }
+    }
+
+    /// The words of a payload.
+    pub fn cut(self, config: &Config, payload: Payload<Wires>) -> Vec<Expr> {
+        let packed = payload.pack(config);
+        let padded = if self.padding == 0 { packed } else { cat([packed, lit(self.padding, 0)]) };
+        (0..self.count).rev().map(|word| padded.bits((word + 1) * self.width - 1, word * self.width)).collect()
+    }
+
+    /// The payload of these words.
+    pub fn join(self, config: &Config, words: &[Expr]) -> Payload<Wires> {
+        let padded = cat(words.iter().copied());
+        Payload::unpack(config, padded.bits(padded.width() - 1, self.padding))
+    }
+
+    /// Bits of a word's number.
+    pub fn index_bits(self) -> u32 {
+        address_width(self.count)
+    }
+
+    /// Whether it is the last word's number.
+    pub fn is_last(self, number: Expr) -> Expr {
+        number.eq_lit(u128::from(self.count) - 1)
+    }
+
+    /// Where a word of a place lies.
+    pub fn address(self, number: Expr, place: Expr) -> Expr {
+        if self.count == 1 { place } else { cat([number, place]) }
+    }
+}

@@ -1,0 +1,185 @@
+//! `splat_payloads` against its model, in every cycle, with copies that come back in another order.
+
+use pointcore_contract::splat::records::{CompleteCopy, PlacedCopy, SplatCopy, TileCopy};
+use pointcore_contract::splat::{Config, units};
+use pointcore_contract::{read, words};
+use pointcore_golden::splat::Payloads;
+use pointcore_golden::unit::Ported;
+use pointcore_hdl::splat::payloads;
+use pointcore_tb::lockstep::{Flow, Run, Stall, Stalls, Stimulus, StreamPorts, Streams, seeds};
+
+use crate::splat::{Device, configs, scene};
+
+const SPLATS: u32 = 400;
+const SEEDS: u64 = 6;
+
+/// Sends copies in, and those that come out in another order back in.
+#[derive(Clone)]
+struct Shuffled {
+    config: Config,
+    input: StreamPorts,
+    copy: StreamPorts,
+    placed: StreamPorts,
+    out: StreamPorts,
+    random: fastrand::Rng,
+    copies: std::vec::IntoIter<SplatCopy>,
+    /// Copies between the two sides, and as many as have room there.
+    between: Vec<TileCopy>,
+    room: usize,
+    filled: bool,
+    /// Copies in all.
+    count: usize,
+    received: Vec<CompleteCopy>,
+    stalls: [Stalls; 4],
+}
+
+impl Shuffled {
+    fn new(config: &Config, streams: &Streams, copies: &[SplatCopy], seed: u64) -> Self {
+        let stream = |name| streams.get(name).expect("payloads have it").clone();
+        let kinds = [
+            [Stall::Never; 4],
+            [Stall::Random(0.5); 4],
+            [Stall::Never, Stall::Never, Stall::Bursts(40), Stall::Random(0.3)],
+            [Stall::Bursts(40), Stall::Random(0.2), Stall::Never, Stall::Never],
+            [Stall::Never, Stall::Never, Stall::Never, Stall::Random(0.8)],
+            [Stall::Varied; 4],
+        ];
+        let mut random = fastrand::Rng::with_seed(seed);
+        Self {
+            config: config.clone(),
+            input: stream("in"),
+            copy: stream("copy"),
+            placed: stream("placed"),
+            out: stream("out"),
+            copies: copies.to_vec().into_iter(),
+            between: vec![],
+            room: random.usize(1..40),
+            filled: false,
+            count: copies.len(),
+            received: vec![],
+            stalls: kinds[seed as usize % kinds.len()].map(|stall| Stalls::new(stall, random.fork())),
+            random,
+        }
+    }
+
+    /// One of those between, an end only when it is alone.
+    fn pick(&mut self) -> Option<TileCopy> {
+        let copies = self.between.iter().filter(|copy| !copy.end).count();
+        (!self.between.is_empty()).then(|| self.between.remove(self.random.usize(..copies.max(1))))
+    }
+}
+
+impl Stimulus for Shuffled {
+    fn drive(&mut self, _cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        let fields = |stream: &StreamPorts| stream.fields.iter().map(|&field| outputs[field]).collect::<Vec<_>>();
+        if self.copy.transfers(inputs, outputs) {
+            self.between.push(read(&self.config, &fields(&self.copy)));
+            self.filled |= self.between.len() == self.room;
+        }
+        if self.out.transfers(inputs, outputs) {
+            self.received.push(read(&self.config, &fields(&self.out)));
+        }
+        let [source, copy_sink, placed_source, sink] = self.stalls.each_mut().map(Stalls::stalled);
+        let is_free = |stream: &StreamPorts, inputs: &[u64]| {
+            !stream.offers(inputs, outputs) || stream.transfers(inputs, outputs)
+        };
+        if is_free(&self.input, inputs) {
+            let copy = if source { None } else { self.copies.next() };
+            offer(&self.input, inputs, copy.map(|copy| words(&self.config, copy)));
+        }
+        if is_free(&self.placed, inputs) {
+            let copy = if placed_source { None } else { self.pick() };
+            let slot = self.random.u8(..self.config.tile_slots as u8);
+            offer(&self.placed, inputs, copy.map(|copy| words(&self.config, PlacedCopy { copy, slot })));
+        }
+        // An end keeps its place: nothing comes after it before it is back.
+        let has_room = self.between.len() < self.room && !self.between.iter().any(|copy| copy.end);
+        let [copy_ready, out_ready] = [&self.copy, &self.out].map(|stream| stream.ready.expect("the stream has one"));
+        inputs[copy_ready] = u64::from(has_room && !copy_sink);
+        inputs[out_ready] = u64::from(!sink);
+        if self.received.len() == self.count { Flow::Done } else { Flow::Continue }
+    }
+}
+
+/// Shows a record at an input, or none.
+fn offer(stream: &StreamPorts, inputs: &mut [u64], record: Option<Vec<u64>>) {
+    inputs[stream.valid] = u64::from(record.is_some());
+    stream.fields.iter().zip(record.into_iter().flatten()).for_each(|(&field, value)| inputs[field] = value);
+}
+
+/// Splats of noise with a few copies, some with one for each tile; here and there the end of a frame, once two of them.
+fn copies(config: &Config) -> Vec<SplatCopy> {
+    let mut random = scene::random();
+    let mut copies = Vec::new();
+    for splat in 0..SPLATS {
+        let payload: SplatCopy = scene::noise(config, &mut random);
+        let count = if splat % 64 == 7 { 1 << config.tile_bits() } else { random.u32(1..5) };
+        for number in 0..count {
+            let SplatCopy { bounds, diagonals, tile, .. } = scene::noise(config, &mut random);
+            copies.push(SplatCopy { end: false, first: number == 0, bounds, diagonals, tile, ..payload });
+        }
+        if splat % 50 == 49 || [80, 81].contains(&splat) {
+            let ends = if splat == 81 { 2 } else { 1 };
+            copies.extend((0..ends).map(|_| SplatCopy { end: true, ..scene::noise(config, &mut random) }));
+        }
+    }
+    copies
+}
+
+/// What a copy is known by, in its frame.
+type Identity = Vec<u64>;
+
+/// Copies with their payload, sorted within each frame.
+fn by_frame<'a>(config: &Config, copies: impl Iterator<Item = &'a CompleteCopy>) -> Vec<Vec<Identity>> {
+    let copies: Vec<_> = copies.collect();
+    let frames = copies.split(|copy| copy.end).map(|frame| {
+        let known = |copy: &&CompleteCopy| words(config, CompleteCopy { slot: 0, ..**copy });
+        let mut frame: Vec<_> = frame.iter().map(known).collect();
+        frame.sort();
+        frame
+    });
+    frames.collect()
+}
+
+/// The configurations of every unit's test and more, with few places and many words and the other way round.
+fn sizes() -> Vec<Config> {
+    let [bare, full, mixed] = configs();
+    let sized = |config: &Config, splat_levels, payload_beats| Config { splat_levels, payload_beats, ..config.clone() };
+    vec![
+        sized(&bare, 0, 1),
+        sized(&full, 0, 3),
+        sized(&mixed, 1, 2),
+        sized(&bare, 2, 8),
+        sized(&full, 3, 4),
+        sized(&mixed, 4, 1),
+        sized(&bare, 5, 2),
+        sized(&mixed, 2, 5),
+        sized(&full, 1, 7),
+    ]
+}
+
+#[test]
+fn it_agrees_with_the_model() {
+    let mut filled = 0;
+    for config in sizes() {
+        let device = Device::new(&config, &payloads::module(&config), &units::payloads::UNIT);
+        let streams = Streams::of(device.library());
+        let copies = copies(&config);
+        let complete: Vec<_> = copies.iter().map(complete).collect();
+        for seed in seeds(SEEDS).expect("POINTCORE_SEED is a number") {
+            let stimulus = Shuffled::new(&config, &streams, &copies, seed);
+            let run = device.lockstep(Ported::new(&config, Payloads::new(&config)), seed).run(stimulus);
+            let Run { stimulus, .. } = run.unwrap_or_else(|error| panic!("{error}"));
+            let frames = [complete.iter(), stimulus.received.iter()].map(|copies| by_frame(&config, copies));
+            assert!(frames[0] == frames[1], "seed {seed}: every copy has its payload, every frame its own copies");
+            filled += usize::from(stimulus.filled);
+        }
+    }
+    assert!(filled > 0, "what lies between was never full");
+}
+
+/// What comes out for a copy.
+fn complete(copy: &SplatCopy) -> CompleteCopy {
+    let SplatCopy { end, footprint, attributes, bounds, diagonals, tile, .. } = *copy;
+    CompleteCopy { end, footprint, attributes, bounds, diagonals, tile, slot: 0 }
+}
