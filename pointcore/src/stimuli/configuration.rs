@@ -3,7 +3,7 @@
 
 use super::one_of;
 use fastrand::Rng;
-use pointcore_contract::splat::config::Reordering;
+use pointcore_contract::splat::config::{Reordering, TILE_SIZE};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, FragmentDepth, Sampling};
 use pointcore_contract::{search, splat};
@@ -100,11 +100,17 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         tiles_in_turn: random.u32(1..=8),
         heap_interval: one_of(random, &[2, 4]),
         tile_slots: mostly(random, 2..=6, 2..=64),
+        rasterizers: rasterizers(random, width),
         transform_interval: random.u32(1..=16),
         setup_interval: random.u32(1..=16),
         accumulate_stages: random.u32(5..=12),
         ..splat::Config::default()
     }
+}
+
+/// One, or as many as there are columns of tiles at most.
+fn rasterizers(random: &mut Rng, width: u32) -> u32 {
+    one_of(random, &[1, 1, 2, 4, 8]).min(width.div_ceil(TILE_SIZE).next_power_of_two())
 }
 
 /// A power of two among `exponents`, or in every third configuration none.
