@@ -4,6 +4,7 @@
 //! - Which hardware that calls for: [`plan`], [`cost`], [`area`]; as files, [`configuration`].
 //! - The renderer and the search core, generated, with the hosts around them, on hardware, on the model, or on both: [`splat`], [`search`],
 //!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
+//! - What lies behind their ports: [`memory`].
 //! - Operators on neighborhoods, over whole point sets: [`process`].
 //! - What others build with: [`package`] and the [`recording`] in its test, [`bus`], [`vectors`].
 //! - Surroundings of whole cores in which anything may happen: [`stimuli`].
@@ -15,6 +16,7 @@ pub mod configuration;
 pub mod cost;
 pub mod generated;
 pub mod inspect;
+pub mod memory;
 pub mod number;
 pub mod package;
 pub mod page;

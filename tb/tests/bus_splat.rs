@@ -9,7 +9,7 @@ use pointcore_contract::splat::records::{Fragment, Splat};
 use pointcore_contract::words;
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
-use pointcore_tb::lockstep::{Stall, seeds};
+use pointcore_tb::lockstep::seeds;
 
 use crate::bus::host::{Around, Host, MemoryOrder, RESET};
 use crate::splat::{configs, fixed_configs, scene};
@@ -27,8 +27,7 @@ fn frames(config: &Config) -> EncodedFrame {
 /// The fragments of all frames, as the model makes them.
 fn expected(config: &Config, frame: &EncodedFrame) -> Vec<Fragment> {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
-    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
-    runner.golden(&core).unwrap_or_else(|error| panic!("{error}")).fragments
+    SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}")).fragments
 }
 
 /// The frames over the bus; a packet now and then is too short, and is sent again.

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use fastrand::Rng;
+use pointcore::splat::memory::BufferTraffic;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore::stimuli::configuration::renderer as random_renderer;
 use pointcore::stimuli::frames::{Lens, frames};
@@ -20,7 +21,7 @@ use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_lab::soak::device::{AnyConfig, Core, Device, Ran};
 use pointcore_lab::soak::extent;
-use pointcore_tb::lockstep::{Stall, seeds};
+use pointcore_tb::lockstep::seeds;
 use pointcore_tb::verilated::{BuildOptions, Builder};
 
 use crate::bus::host::{Around, Host, MemoryOrder};
@@ -98,11 +99,10 @@ const BEATS: u64 = 32;
 /// What a frame comes to on the model alone, and the cycles it may take on the bus.
 fn expected(config: &Config, frame: &EncodedFrame) -> (Vec<Fragment>, u64) {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
-    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
-    let outcome = runner.golden(&core).unwrap_or_else(|error| panic!("{error}"));
-    let counters = &outcome.counters;
-    let moved = (frame.records.len() + outcome.fragments.len()) as u64 + counters.pixels_read + counters.pixels_written;
-    (outcome.fragments, BUS_SHARE * (counters.cycles + BEATS * moved))
+    let outcome = SplatRunner::new(config, frame).golden(&core).unwrap_or_else(|error| panic!("{error}"));
+    let BufferTraffic { pixels_read, pixels_written, .. } = outcome.counters.buffer;
+    let moved = (frame.records.len() + outcome.fragments.len()) as u64 + pixels_read + pixels_written;
+    (outcome.fragments, BUS_SHARE * (outcome.counters.cycles + BEATS * moved))
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn run(
     stall: Stall,
     seed: u64,
 ) -> Result<SplatOutcome, LockstepError> {
-    let runner = SplatRunner { config, frame, stall, seed, progress: &|_, _| {}, stop_after: None };
+    let runner = SplatRunner { stall, seed, ..SplatRunner::new(config, frame) };
     runner.lockstep(core, library)
 }
 
@@ -76,7 +76,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
                 outcome.unwrap_or_else(|error| panic!("{error}\nor {SEED_VARIABLE}={seed} with this test"));
             adds_up(&outcome);
             let counters = &outcome.counters;
-            assert!(counters.pixels_written > 1000 && counters.pixels_read > 1000, "seed {seed}: {counters:?}");
+            assert!(counters.buffer.pixels_written > 1000 && counters.buffer.pixels_read > 1000, "seed {seed}: {counters:?}");
             in_order(&config, &mut outcome.fragments);
             let expected = expected.get_or_insert(outcome.fragments.clone());
             assert!(outcome.fragments == *expected, "seed {seed}: the frames depend on stalls");
@@ -94,7 +94,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
             assert!(fragments == expected, "a frame leaves something behind");
         }
         let stall = Stall::Random(0.2);
-        let runner = SplatRunner { config: &config, frame: &frame, stall, seed, progress: &|_, _| {}, stop_after: None };
+        let runner = SplatRunner { stall, seed, ..SplatRunner::new(&config, &frame) };
         is_seen_at_ports(&runner.hardware(&library, None).unwrap_or_else(|error| panic!("{error}")), &twice);
     }
 }

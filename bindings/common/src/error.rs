@@ -199,7 +199,7 @@ impl Kind for RenderError {
             Self::Generate(error) => error.kind(),
             Self::Verilated(error) => error.kind(),
             Self::Lockstep(error) => error.kind(),
-            Self::Frame { .. } => ErrorKind::Input,
+            Self::Memory(_) | Self::Frame { .. } => ErrorKind::Input,
         }
     }
 }

@@ -82,6 +82,7 @@ impl Render {
             scene: "scene in memory",
             engine: self.back_end.name(),
             config: &session.plan().config,
+            memory: *session.memory(),
             fates: rendered.fates,
             counters: &outcome.counters,
             frame: samples,

@@ -11,7 +11,6 @@ use pointcore::scene::Scene;
 use pointcore::shading::picture;
 use pointcore::splat::{DEPTH_ROUNDING, EncodedFrame, SplatCore, SplatRunner, assemble};
 use pointcore_golden::reference::{Frame, Mapping, render};
-use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
 
 /// Seed of the hardware's uninitialized values.
@@ -35,8 +34,7 @@ fn hardware(scene: &Scene, plan: &Plan, engine: PointEngine) -> Result<(Frame, H
     let config = &plan.config;
     let core = SplatCore::generate(config)?;
     let frame = EncodedFrame::new(scene, plan);
-    let runner =
-        SplatRunner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after: None };
+    let runner = SplatRunner { seed: SEED, ..SplatRunner::new(config, &frame) };
     let outcome = match engine {
         PointEngine::Lockstep => runner.lockstep(&core, &verilate(&core.design, Trace::Off)?)?,
         PointEngine::Golden | PointEngine::F64 => runner.golden(&core)?,

@@ -9,7 +9,6 @@ use pointcore::scene::{InvalidPoints, NormalSource, Scene};
 use pointcore::search::{MemorySettings, Order, PointSet, PointSource, Query, SearchEngine, Session, Splitting, Tree};
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::{Rendering, points, search, splat};
-use pointcore_tb::lockstep::Stall;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -100,15 +99,7 @@ fn frame_cycles(path: &Path, config: &splat::Config) -> Result<u64, LabError> {
     let plan = Plan::on(&scene, config)?;
     let core = SplatCore::generate(&plan.config)?;
     let frame = EncodedFrame::new(&scene, &plan);
-    let runner = SplatRunner {
-        config: &plan.config,
-        frame: &frame,
-        stall: Stall::Never,
-        seed: SEED,
-        progress: &|_, _| {},
-        stop_after: None,
-    };
-    Ok(runner.golden(&core)?.counters.cycles)
+    Ok(SplatRunner::new(&plan.config, &frame).golden(&core)?.counters.cycles)
 }
 
 fn program_cycles(points: u32, k: u32, config: &points::Config) -> Result<f64, LabError> {

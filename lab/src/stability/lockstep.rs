@@ -45,14 +45,8 @@ impl FrameCheck {
             note!("hardware: frame {} of {frames}", index + 1);
             let first = index * FRAME_SPLATS;
             let frame = frame(config, first, FRAME_SPLATS.min(splats - first), seed);
-            let stalled = SplatRunner {
-                config,
-                frame: &frame,
-                stall: Stall::Random(STALL_SHARE),
-                seed: seed + index,
-                progress: &|_, _| {},
-                stop_after: None,
-            };
+            let (stall, seed) = (Stall::Random(STALL_SHARE), seed + index);
+            let stalled = SplatRunner { stall, seed, ..SplatRunner::new(config, &frame) };
             // A difference ends the run.
             let outcome = stalled.lockstep(core, library)?;
             let free = SplatRunner { stall: Stall::Never, ..stalled }.golden(core)?;

@@ -11,12 +11,9 @@ use crate::plan::{Effect, EffectExtent, Plan};
 use crate::scene::Scene;
 use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::splat::Config;
-use pointcore_tb::lockstep::{LockstepError, Stall};
+use pointcore_tb::lockstep::LockstepError;
 use rayon::prelude::*;
 use serde::Serialize;
-
-/// Seed of a run in which nothing is random.
-const SEED: u64 = 1;
 
 /// Whether frames are run for their cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,9 +175,7 @@ fn figures(
         Cycles::Untold => None,
         Cycles::Measured => {
             let frame = EncodedFrame::new(scene, plan);
-            let (config, stall, progress) = (&plan.config, Stall::Never, &|_, _| {});
-            let runner = SplatRunner { config, frame: &frame, stall, seed: SEED, progress, stop_after: None };
-            Some(runner.golden(&core)?.counters.cycles as i64)
+            Some(SplatRunner::new(&plan.config, &frame).golden(&core)?.counters.cycles as i64)
         }
     };
     Ok(HardwareFigures {

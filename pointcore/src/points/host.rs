@@ -2,9 +2,10 @@
 
 use super::counters::PointsCounters;
 use crate::generated::Progress;
+use crate::memory::{ExternalMemory, MemorySettings, RequestSize};
 use crate::number::encode;
 use crate::process::Answer;
-use crate::search::{MemorySettings, PointMemory, QueryKind, RequestSize, Reuse, Tree};
+use crate::search::{QueryKind, Reuse, Tree};
 use pointcore_contract::points::Config;
 use pointcore_contract::points::units::Neighborhood;
 use pointcore_contract::points::units::top::{In, Out};
@@ -97,7 +98,7 @@ pub(super) struct PointsHost<'a> {
     progress: Progress<'a>,
     writes: Arc<[TreeWrite]>,
     first_query_cycle: u64,
-    memory: PointMemory<Request>,
+    memory: ExternalMemory<Request>,
     inputs: In,
     sent: usize,
     /// Queries under way by their numbers, which repeat.
@@ -136,7 +137,7 @@ impl<'a> PointsHost<'a> {
             // Caches clear a line a cycle.
             first_query_cycle: (writes.len() as u64).max(lines.into()) + 1,
             writes,
-            memory: PointMemory::new(work.memory, PORTS, tree.beat_bytes(), seed).ordered(LINES),
+            memory: ExternalMemory::new(work.memory, PORTS, tree.beat_bytes(), seed).ordered(LINES),
             inputs,
             sent: 0,
             under_way: HashMap::new(),
@@ -167,7 +168,7 @@ impl<'a> PointsHost<'a> {
         let queries = self.work.task.queries.len();
         if self.answered == queries || self.is_stuck {
             self.counters.cycles = cycle.saturating_sub(self.first_query_cycle);
-            self.counters.bytes = self.memory.bytes;
+            self.counters.bytes = self.memory.bus().bytes();
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {

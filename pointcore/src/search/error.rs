@@ -2,6 +2,7 @@
 
 use super::Rounding;
 use crate::generated::GenerateError;
+use crate::memory::MemoryError;
 use crate::scene::SceneError;
 use pointcore_contract::search::config::ConfigError;
 use pointcore_contract::{Format, points};
@@ -89,15 +90,8 @@ pub enum SearchError {
         problem: String,
     },
     /// A setting of the memory without meaning.
-    #[error("the memory's {setting} is {value}: expected {expected}")]
-    Memory {
-        /// What is set.
-        setting: &'static str,
-        /// To what.
-        value: f64,
-        /// What would be right.
-        expected: &'static str,
-    },
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
     /// A factor of reuse without meaning.
     #[error("{setting} is {value}: expected {expected}")]
     Reuse {

@@ -3,10 +3,10 @@
 use super::Tree;
 use super::answers::Answers;
 use super::counters::SearchCounters;
-use super::memory::{PointMemory, RequestSize};
 use super::query::Neighbor;
 use super::work::Work;
 use crate::generated::Progress;
+use crate::memory::{ExternalMemory, RequestSize};
 use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, TreeRecord, TreeWrite};
 use pointcore_contract::{read, write};
 use pointcore_golden::search::top::{In, Out};
@@ -49,7 +49,7 @@ pub struct SearchHost<'a> {
     writes: Arc<[TreeWrite]>,
     setup: Option<CacheSetup>,
     first_query_cycle: u64,
-    memory: PointMemory<Request>,
+    memory: ExternalMemory<Request>,
     inputs: In,
     sent: usize,
     last_transfer: u64,
@@ -66,7 +66,7 @@ impl<'a> SearchHost<'a> {
     #[must_use]
     pub fn new(work: Work<'a>, stalls: Stalls, seed: u64, progress: Progress<'a>) -> Self {
         let Work { config, tree, memory, .. } = work;
-        let memory = PointMemory::new(memory, PORTS, tree.beat_bytes(), seed);
+        let memory = ExternalMemory::new(memory, PORTS, tree.beat_bytes(), seed);
         let beats = config.bucket.div_ceil(config.lanes);
         let longest = memory.answer_cycles(RequestSize { beats, beat_bytes: tree.beat_bytes() });
         let writes: Arc<[TreeWrite]> = if config.tree_cache > 0 { Arc::default() } else { tree.writes().collect() };
@@ -130,7 +130,7 @@ impl<'a> SearchHost<'a> {
         if self.end.is_some() {
             self.counters.cycles = cycle.saturating_sub(self.first_query_cycle);
             self.counters.requests = self.memory.requests_taken;
-            self.counters.bytes = self.memory.bytes;
+            self.counters.bytes = self.memory.bus().bytes();
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {

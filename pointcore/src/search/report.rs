@@ -3,11 +3,11 @@
 use super::check::Checked;
 use super::hardware::HardwareSize;
 use super::kdtree::TreeStatistics;
-use super::memory::MemorySettings;
 use super::reuse::Reuse;
 use super::rounding::{Rounding, TruthComparison};
 use super::run::SearchOutcome;
 use crate::area::recorded::Clock;
+use crate::memory::MemorySettings;
 use pointcore_contract::search::Config;
 use serde::Serialize;
 use std::fmt::Write as _;

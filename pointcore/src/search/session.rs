@@ -1,7 +1,6 @@
 //! Neighbor search as a library: a tree, a core, queries in, neighbors out.
 
 use super::generate::SearchCore;
-use super::memory::MemorySettings;
 use super::order::interleaved;
 use super::query::{Query, check_alike};
 use super::reuse::{QueryKind, Reuse};
@@ -10,6 +9,7 @@ use super::work::Work;
 use super::{SearchError, Tree};
 use crate::generated::Progress;
 use crate::generated::verilate;
+use crate::memory::MemorySettings;
 use crate::waveform::Waveform;
 use pointcore_contract::search::Config;
 use pointcore_tb::lockstep::Stall;

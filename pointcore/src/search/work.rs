@@ -1,9 +1,9 @@
 //! What a host works on.
 
 use super::kdtree::Tree;
-use super::memory::MemorySettings;
 use super::query::Asked;
 use super::reuse::{QueryKind, Reuse};
+use crate::memory::MemorySettings;
 use pointcore_contract::search::Config;
 
 /// What a host works on.

@@ -2,7 +2,7 @@
 
 use super::encode::EncodedFrame;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Splat, Uniforms};
+use pointcore_contract::splat::records::{SetupSplat, Splat, Uniforms};
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
 use pointcore_golden::splat::{Dropped, Setup, Splitter, Transform};
 use rayon::prelude::*;
@@ -16,6 +16,8 @@ pub struct Fates {
     pub drawn: u64,
     /// Copies of them, one a tile.
     pub copies: u64,
+    /// Splats that reach setup, drawn or not.
+    pub set_up: u64,
     /// Splats before the near plane, or behind the eye.
     pub near: u64,
     /// Splats behind the far plane.
@@ -26,25 +28,58 @@ pub struct Fates {
     pub facing: u64,
 }
 
+/// The models that decide on a frame's splats.
+struct Front {
+    transform: Transform,
+    transform_uniforms: TransformUniforms,
+    setup: Setup,
+    setup_uniforms: SetupUniforms,
+    splitter: Splitter,
+}
+
+impl Front {
+    fn new(config: &Config, uniforms: &Uniforms) -> Self {
+        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = *uniforms;
+        Self {
+            transform: Transform::new(config, 1),
+            transform_uniforms: TransformUniforms { model_view, near_plane },
+            setup: Setup::new(config, 1),
+            setup_uniforms: SetupUniforms { viewport, epsilon, near_plane, filter_radius },
+            splitter: Splitter::new(config),
+        }
+    }
+
+    /// What setup makes of a splat, if it gets there.
+    fn set_up(&self, splat: &Splat) -> Option<Result<SetupSplat, Dropped>> {
+        let placed = self.transform.transform(splat, &self.transform_uniforms)?;
+        Some(self.setup.outcome(&placed, &self.setup_uniforms))
+    }
+}
+
+/// The tile of each copy of a frame's splats, in the order in which the splitter makes them.
+#[must_use]
+pub fn copy_tiles(config: &Config, frame: &EncodedFrame) -> Vec<u32> {
+    let front = Front::new(config, &frame.uniforms);
+    let tiles = |splat: &Splat| -> Vec<u32> {
+        let Some(Ok(drawn)) = front.set_up(splat) else { return Vec::new() };
+        front.splitter.copies(&drawn).map(|copy| copy.tile).collect()
+    };
+    frame.records.par_iter().filter(|record| !record.end).flat_map_iter(tiles).collect()
+}
+
 impl Fates {
     /// Asks the models of transform and setup about each splat of a frame.
     #[must_use]
     pub fn of(config: &Config, frame: &EncodedFrame) -> Self {
-        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, .. } = frame.uniforms;
-        let transform_uniforms = TransformUniforms { model_view, near_plane };
-        let setup_uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
-        let (transform, setup, splitter) = (Transform::new(config, 1), Setup::new(config, 1), Splitter::new(config));
-        let fate = |splat: &Splat| {
-            let Some(placed) = transform.transform(splat, &transform_uniforms) else {
-                return Self { near: 1, ..Self::default() };
-            };
-            match setup.outcome(&placed, &setup_uniforms) {
-                Ok(drawn) => Self { drawn: 1, copies: splitter.copies(&drawn).count() as u64, ..Self::default() },
-                Err(Dropped::Near) => Self { near: 1, ..Self::default() },
-                Err(Dropped::Far) => Self { far: 1, ..Self::default() },
-                Err(Dropped::Beside) => Self { beside: 1, ..Self::default() },
-                Err(Dropped::Facing) => Self { facing: 1, ..Self::default() },
-            }
+        let front = Front::new(config, &frame.uniforms);
+        let set_up = Self { set_up: 1, ..Self::default() };
+        let fate = |splat: &Splat| match front.set_up(splat) {
+            None => Self { near: 1, ..Self::default() },
+            Some(Ok(drawn)) => Self { drawn: 1, copies: front.splitter.copies(&drawn).count() as u64, ..set_up },
+            Some(Err(Dropped::Near)) => Self { near: 1, ..set_up },
+            Some(Err(Dropped::Far)) => Self { far: 1, ..set_up },
+            Some(Err(Dropped::Beside)) => Self { beside: 1, ..set_up },
+            Some(Err(Dropped::Facing)) => Self { facing: 1, ..set_up },
         };
         frame.records.par_iter().filter(|record| !record.end).map(fate).reduce(Self::default, Self::sum)
     }
@@ -53,6 +88,7 @@ impl Fates {
         Self {
             drawn: self.drawn + other.drawn,
             copies: self.copies + other.copies,
+            set_up: self.set_up + other.set_up,
             near: self.near + other.near,
             far: self.far + other.far,
             beside: self.beside + other.beside,

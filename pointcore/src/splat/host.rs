@@ -1,8 +1,9 @@
 //! The host around the renderer: writes uniforms, sends splats, plays the reconstruction buffer, collects fragments, counts.
 
 use super::encode::EncodedFrame;
-use super::memory::ReconstructionBuffer;
+use super::memory::{BufferTraffic, PixelRun, ReconstructionBuffer};
 use crate::generated::Progress;
+use crate::memory::MemorySettings;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Fragment, UniformWrite};
 use pointcore_contract::splat::units::Events;
@@ -10,8 +11,6 @@ use pointcore_contract::{read, words, write};
 use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
 
-/// Latency of the reconstruction buffer in cycles: a DRAM behind a controller.
-const MEMORY_LATENCY_CYCLES: u64 = 24;
 /// Cycles between two reports of progress.
 const PROGRESS_INTERVAL_CYCLES: u64 = 1024;
 
@@ -52,10 +51,8 @@ pub struct SplatCounters {
     pub cycles: u64,
     /// Cycles of each event.
     pub events: EventCounts,
-    /// Pixels read from the reconstruction buffer.
-    pub pixels_read: u64,
-    /// Pixels written to it.
-    pub pixels_written: u64,
+    /// What passed between core and reconstruction buffer.
+    pub buffer: BufferTraffic,
 }
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
@@ -81,9 +78,15 @@ pub struct SplatHost<'a> {
 
 impl<'a> SplatHost<'a> {
     /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
-    /// back.
+    /// back, `memory` how the reconstruction buffer answers.
     #[must_use]
-    pub fn new(config: &'a Config, frame: &'a EncodedFrame, stalls: Stalls, progress: Progress<'a>) -> Self {
+    pub fn new(
+        config: &'a Config,
+        frame: &'a EncodedFrame,
+        memory: MemorySettings,
+        stalls: Stalls,
+        progress: Progress<'a>,
+    ) -> Self {
         Self {
             config,
             frame,
@@ -94,7 +97,7 @@ impl<'a> SplatHost<'a> {
             inputs: In::default(),
             sent: 0,
             open_frames: frame.records.iter().filter(|record| record.end).count(),
-            buffer: ReconstructionBuffer::new(1 << config.tile_bits(), MEMORY_LATENCY_CYCLES),
+            buffer: ReconstructionBuffer::new(config, memory),
             fragments: Vec::new(),
             counters: SplatCounters::default(),
         }
@@ -121,20 +124,20 @@ impl<'a> SplatHost<'a> {
         let first_splat_cycle = self.uniforms.len() as u64;
         if cycle > 0 && self.account(cycle, outputs) {
             self.counters.cycles = cycle - first_splat_cycle;
-            self.counters.pixels_read = self.buffer.pixels_read;
-            self.counters.pixels_written = self.buffer.pixels_written;
+            self.counters.buffer = self.buffer.traffic();
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {
             (self.progress)(cycle, self.sent as f64 / self.frame.records.len() as f64);
         }
+        self.buffer.advance(cycle);
         let uniform = self.uniforms.get(cycle as usize);
         self.inputs.uniform = uniform.map(|&data| UniformWrite { address: cycle as u8, data: data as u32 });
         if cycle >= first_splat_cycle {
             self.offer(cycle, outputs);
         }
         self.inputs.read_ready = !self.stalls.stalled();
-        self.inputs.write_ready = !self.stalls.stalled();
+        self.inputs.write_ready = !self.stalls.stalled() && self.buffer.is_writable(cycle);
         self.inputs.fragment_ready = !self.stalls.stalled();
         Flow::Continue
     }
@@ -143,13 +146,13 @@ impl<'a> SplatHost<'a> {
     fn account(&mut self, cycle: u64, outputs: &Out) -> bool {
         self.sent += usize::from(self.inputs.splat.is_some() && outputs.splat_ready);
         if let Some(read) = outputs.read.filter(|_| self.inputs.read_ready) {
-            self.buffer.request(read.tile, cycle);
+            self.buffer.request(PixelRun::whole(read.tile), cycle);
         }
         if self.inputs.data.is_some() && outputs.data_ready {
             self.buffer.take();
         }
         if let Some(write) = outputs.write.as_ref().filter(|_| self.inputs.write_ready) {
-            self.buffer.write(write);
+            self.buffer.write(write, cycle - 1);
         }
         self.counters.events.add(&outputs.events);
         let Some(fragment) = outputs.fragment.filter(|_| self.inputs.fragment_ready) else { return false };

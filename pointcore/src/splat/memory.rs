@@ -1,86 +1,150 @@
 //! The reconstruction buffer behind the renderer's memory port.
 
+use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize};
+use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, PlacedPixel};
-use std::collections::VecDeque;
+use pointcore_contract::splat::records::{Pixel, PlacedPixel, pixel_bytes};
 
 /// Pixels of a tile.
 const PIXELS: usize = TILE_PIXELS as usize;
+/// The port of the reads, the memory's only one.
+const READS: usize = 0;
 
-/// External memory that holds tiles of pixels: reads come back in order after a latency, one pixel a cycle; a read sees
-/// every write accepted before it.
-#[derive(Clone)]
-pub struct ReconstructionBuffer {
-    /// By tile; one that was never written is empty.
-    tiles: Vec<Option<Box<[Pixel; PIXELS]>>>,
-    latency: u64,
-    /// Requested tiles with the cycle in which their first pixel may come.
-    reads: VecDeque<(usize, u64)>,
-    next_pixel: usize,
+/// Pixels of a tile that lie one behind the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelRun {
+    /// Tile index.
+    pub tile: u32,
+    /// The first pixel.
+    pub first: u8,
+    /// How many there are, at least one.
+    pub count: u8,
+}
+
+impl PixelRun {
+    /// All pixels of a tile.
+    #[must_use]
+    pub const fn whole(tile: u32) -> Self {
+        Self { tile, first: 0, count: TILE_PIXELS as u8 }
+    }
+}
+
+/// Pixels that passed the port, and what they cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BufferTraffic {
     /// Pixels read.
     pub pixels_read: u64,
     /// Pixels written.
     pub pixels_written: u64,
+    /// Bytes that the memory moved for them, whole bursts.
+    pub bytes: u64,
+    /// Cycles that this takes at the memory's bandwidth, and at that of the port, whichever are more.
+    pub busy_cycles: u64,
+}
+
+/// External memory that holds tiles of pixels. Reads come back in order, one pixel a cycle at most; a read sees every write accepted
+/// before it.
+///
+/// Without a bandwidth among its settings, a pixel a cycle goes each way. Else reads and writes share the bus: a read waits for it after
+/// the latency, a write is accepted when it is free.
+#[derive(Clone)]
+pub struct ReconstructionBuffer {
+    /// By tile; one that was never written is empty.
+    tiles: Vec<Option<Box<[Pixel; PIXELS]>>>,
+    pixel_bytes: u32,
+    burst_bytes: u32,
+    memory: ExternalMemory<PixelRun>,
+    /// The bus of the writes, where they have one of their own.
+    write_bus: Option<Bus>,
+    /// The burst written last, by tile and number: a pixel that lies in it as well costs nothing more.
+    last_burst: Option<(u32, u32)>,
+    pixels_read: u64,
+    pixels_written: u64,
 }
 
 impl ReconstructionBuffer {
-    /// An empty buffer of so many tiles.
+    /// A DRAM behind a controller that keeps up with the port.
+    pub const SETTINGS: MemorySettings =
+        MemorySettings { latency_cycles: 24, bytes_per_cycle: None, burst_bytes: 1, reorder_window: 1 };
+
+    /// An empty buffer for a renderer. Its answers keep their order, whatever the settings say.
     #[must_use]
-    pub fn new(tiles: usize, latency: u64) -> Self {
-        let (tiles, reads) = (vec![None; tiles], VecDeque::new());
-        Self { tiles, latency, reads, next_pixel: 0, pixels_read: 0, pixels_written: 0 }
+    pub fn new(config: &Config, settings: MemorySettings) -> Self {
+        let settings = MemorySettings { reorder_window: 1, ..settings };
+        let pixel_bytes = pixel_bytes(config);
+        Self {
+            tiles: vec![None; 1 << config.tile_bits()],
+            pixel_bytes,
+            burst_bytes: settings.burst_bytes,
+            // Nothing is left to chance in order.
+            memory: ExternalMemory::new(settings, 1, pixel_bytes, 0),
+            write_bus: settings.bytes_per_cycle.is_none().then(|| Bus::new(&settings, pixel_bytes)),
+            last_burst: None,
+            pixels_read: 0,
+            pixels_written: 0,
+        }
     }
 
-    /// Accepts a read of a whole tile in cycle `now`.
-    pub fn request(&mut self, tile: u32, now: u64) {
-        self.reads.push_back((tile as usize, now + self.latency));
+    /// Accepts a read in cycle `now`.
+    pub fn request(&mut self, run: PixelRun, now: u64) {
+        let size = RequestSize { beats: run.count.into(), beat_bytes: self.pixel_bytes };
+        self.memory.request(READS, run, size, now);
+    }
+
+    /// Gives the bus to what waits for it; once a cycle, before what is on offer is asked for.
+    pub fn advance(&mut self, now: u64) {
+        self.memory.advance(now);
     }
 
     /// The pixel that is on offer in cycle `now`.
     #[must_use]
     pub fn offer(&self, now: u64) -> Option<Pixel> {
-        let &(tile, ready) = self.reads.front()?;
-        let pixel = || self.tiles[tile].as_ref().map_or_else(Pixel::default, |pixels| pixels[self.next_pixel]);
-        (ready <= now).then(pixel)
+        let (PixelRun { tile, first, .. }, beat) = self.memory.offer(READS, now)?;
+        let pixels = self.tiles[tile as usize].as_ref();
+        Some(pixels.map_or_else(Pixel::default, |pixels| pixels[usize::from(first) + beat as usize]))
     }
 
     /// The offered pixel was taken.
     pub fn take(&mut self) {
         self.pixels_read += 1;
-        self.next_pixel += 1;
-        if self.next_pixel == PIXELS {
-            self.next_pixel = 0;
-            self.reads.pop_front();
-        }
+        self.memory.take(READS);
     }
 
-    /// Accepts a write.
-    pub fn write(&mut self, write: &PlacedPixel) {
+    /// Whether a write can be accepted in cycle `now`.
+    #[must_use]
+    pub fn is_writable(&self, now: u64) -> bool {
+        self.write_bus.as_ref().unwrap_or_else(|| self.memory.bus()).is_free(now)
+    }
+
+    /// Accepts a write in cycle `now`.
+    pub fn write(&mut self, write: &PlacedPixel, now: u64) {
         self.pixels_written += 1;
         let tile = self.tiles[write.tile as usize].get_or_insert_with(|| Box::new([Pixel::default(); PIXELS]));
         tile[usize::from(write.pixel)] = write.value;
+
+        let begin = u32::from(write.pixel) * self.pixel_bytes;
+        let bursts = begin / self.burst_bytes..=(begin + self.pixel_bytes - 1) / self.burst_bytes;
+        let last = (write.tile, *bursts.end());
+        let begun = bursts.filter(|burst| self.last_burst != Some((write.tile, *burst))).count();
+        self.last_burst = Some(last);
+        let bus = self.write_bus.as_mut().unwrap_or_else(|| self.memory.bus_mut());
+        bus.transfer(begun as u64 * u64::from(self.burst_bytes), now);
+    }
+
+    /// What passed so far.
+    #[must_use]
+    pub fn traffic(&self) -> BufferTraffic {
+        let Self { pixels_read, pixels_written, .. } = *self;
+        let buses = || [Some(self.memory.bus()), self.write_bus.as_ref()].into_iter().flatten();
+        let on_bus = buses().map(|bus| bus.busy_cycles().ceil() as u64).max().unwrap_or(0);
+        BufferTraffic {
+            pixels_read,
+            pixels_written,
+            bytes: buses().map(Bus::bytes).sum(),
+            busy_cycles: on_bus.max(pixels_read).max(pixels_written),
+        }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn reads_return_what_was_written_after_the_latency() {
-        let value = |pixel: u8| Pixel { weight: 100 + u32::from(pixel), ..Pixel::default() };
-        let mut buffer = ReconstructionBuffer::new(2, 3);
-        for pixel in 0..64 {
-            buffer.write(&PlacedPixel { tile: 1, pixel, value: value(pixel) });
-        }
-        buffer.request(1, 10);
-        buffer.request(0, 10);
-        assert_eq!(buffer.offer(12), None);
-        for pixel in 0..64 {
-            assert_eq!(buffer.offer(13), Some(value(pixel)));
-            buffer.take();
-        }
-        assert_eq!(buffer.offer(99), Some(Pixel::default()));
-        assert_eq!((buffer.pixels_read, buffer.pixels_written), (64, 64));
-    }
-}
+mod tests;

@@ -1,6 +1,8 @@
 //! The renderer from scene to picture: generation, the host around it, runs on hardware and model.
 
 pub mod activity;
+mod bound;
+mod differences;
 mod encode;
 mod fates;
 mod frame;
@@ -14,15 +16,15 @@ mod report;
 mod run;
 mod session;
 
+pub use bound::{FrameBound, rasterizers, reorder_interval};
+pub use differences::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, rounding_limit, sum_limit};
 pub use encode::{END, EncodedFrame};
-pub use fates::Fates;
+pub use fates::{Fates, copy_tiles};
 pub use frame::assemble;
 pub use generate::SplatCore;
 pub use host::{EventCounts, SplatCounters, SplatHost};
 pub use page::{FramePictures, RunPage};
 pub use recorded::record;
-pub use report::{
-    DEPTH_ROUNDING, EDGE_ROUNDING, FrameFigures, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit, sum_limit,
-};
+pub use report::{FrameFigures, SplatReport, SplatRun};
 pub use run::{SplatOutcome, SplatRunner};
 pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame};

@@ -1,53 +1,15 @@
 //! What a run says: figures with their definitions, as JSON and as a page to read.
 
+use super::bound::{FrameBound, bounds};
+use super::differences::Differences;
 use super::fates::Fates;
 use super::host::{EventCounts, SplatCounters};
-use pointcore_contract::splat::{AttributeFormat, Config, records};
+use super::memory::BufferTraffic;
+use crate::memory::MemorySettings;
+use pointcore_contract::splat::{Config, records};
 use pointcore_golden::reference::Frame;
 use serde::Serialize;
 use std::fmt::Write as _;
-
-/// Largest difference of an attribute that the rounding of one value explains. In coarse fixed point it is [more](rounding_limit), and that of
-/// sums of many samples [grows with them](sum_limit).
-pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
-
-/// Units in the last place of a fixed-point attribute that the host's and the normalizer's rounding and the missing one come to.
-const ROUNDED_PLACES: f64 = 2.0;
-
-/// Roundings of a sample on its way into a sum: of its attribute, of the product with its weight, of the sum.
-const ROUNDINGS_PER_SAMPLE: f64 = 3.0;
-
-/// Largest difference that the rounding of sums over so many samples explains; sums in fixed point are exact.
-#[must_use]
-pub fn sum_limit(config: &Config, samples: u32) -> f64 {
-    match config.attribute {
-        AttributeFormat::Float(format) => {
-            let half_place = 0.5_f64.powi(format.mantissa as i32 + 1);
-            ROUNDING_LIMIT.max(ROUNDINGS_PER_SAMPLE * f64::from(samples) * half_place)
-        }
-        AttributeFormat::Fixed(_) => rounding_limit(config),
-    }
-}
-
-/// Largest difference of an attribute that the rounding of one value explains on a configuration.
-#[must_use]
-pub fn rounding_limit(config: &Config) -> f64 {
-    match config.attribute {
-        AttributeFormat::Float(_) => ROUNDING_LIMIT,
-        AttributeFormat::Fixed(fraction) => {
-            let places = ROUNDED_PLACES * 0.5_f64.powi(fraction.number().fraction as i32);
-            places.max(ROUNDING_LIMIT)
-        }
-    }
-}
-
-/// How far a stored or tested depth may be off: 16 units in the last place of a 24-bit depth, for the roundings of `f32` in setup
-/// and of the fixed-point depths behind it.
-pub const DEPTH_ROUNDING: f64 = 16.0 / (1 << 24) as f64;
-
-/// How far ρ² may be off at the edge of a splat: some 2⁻²⁴ for each of its roundings, magnified by the foreshortening of splats that
-/// are seen almost edge-on.
-pub const EDGE_ROUNDING: f64 = 1.0 / (1 << 14) as f64;
 
 /// The figures of one frame.
 #[derive(Clone, Debug, Serialize)]
@@ -68,14 +30,32 @@ pub struct SplatReport {
     pub mismatches: Option<u64>,
     /// Cycles from the first splat to the end of the frame.
     pub cycles: u64,
+    /// Cycles that every resource would take for the frame if it never waited.
+    pub bounds: [FrameBound; 5],
+    /// The one that takes most: no frame ends sooner.
+    pub bound: FrameBound,
+    /// The bound's share of the cycles.
+    pub bound_fraction: f64,
     /// Cycles for each splat sent.
     pub cycles_per_splat: f64,
+    /// Copies of splats, one for each tile that a splat touches.
+    pub copies: u64,
+    /// Cycles for each copy.
+    pub cycles_per_copy: f64,
     /// Samples evaluated by the rasterizer.
     pub samples: u64,
     /// Cycles for each sample evaluated.
     pub cycles_per_sample: f64,
     /// Samples inside their splat, which reach the accumulator.
     pub accumulated: u64,
+    /// Samples evaluated for each that is inside its splat.
+    pub visited_ratio: f64,
+    /// Samples inside their splat for each splat drawn.
+    pub samples_per_splat: f64,
+    /// Share of the image's samples that have a fragment.
+    pub coverage: f64,
+    /// Samples inside their splat for each fragment.
+    pub overdraw: f64,
     /// Share of the cycles in which the rasterizer evaluates a sample.
     pub rasterizer_utilisation: f64,
     /// Share of the cycles in which the accumulator takes a sample.
@@ -92,6 +72,10 @@ pub struct SplatReport {
     pub buffer_read_bytes: u64,
     /// Bytes written to the reconstruction buffer.
     pub buffer_write_bytes: u64,
+    /// Bytes that the memory moved for both, whole bursts.
+    pub buffer_moved_bytes: u64,
+    /// How the memory that holds the reconstruction buffer answers.
+    pub memory: MemorySettings,
     /// Fragments of the frame.
     pub fragments: u64,
     /// Peak signal-to-noise ratio of the shaded picture against the f64 reference; absent where neither shows a splat.
@@ -100,13 +84,16 @@ pub struct SplatReport {
     pub coverage_differences: u64,
     /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
     pub material_differences: u64,
-    /// Pixels covered by both whose attributes differ by more than the rounding of one value explains ([`rounding_limit`]).
+    /// Pixels covered by both whose attributes differ by more than the rounding of one value explains
+    /// ([`rounding_limit`](super::rounding_limit)).
     pub outcome_differences: u64,
-    /// Of those, pixels where no test came near another outcome, and the rounding of their sums explains the difference ([`sum_limit`]).
+    /// Of those, pixels where no test came near another outcome, and the rounding of their sums explains the difference
+    /// ([`sum_limit`](super::sum_limit)).
     pub sum_differences: u64,
-    /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`] of another outcome.
+    /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`](super::DEPTH_ROUNDING) of
+    /// another outcome.
     pub depth_test_differences: u64,
-    /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`] of the edge of its splat.
+    /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`](super::EDGE_ROUNDING) of the edge of its splat.
     pub edge_differences: u64,
     /// Cycles simulated in a second.
     pub simulated_cycles_per_second: f64,
@@ -147,47 +134,6 @@ impl FrameFigures {
     }
 }
 
-/// How a frame differs from its reference.
-#[derive(Default)]
-struct Differences {
-    coverage: u64,
-    material: u64,
-    outcome: u64,
-    sum: u64,
-    depth_test: u64,
-    edge: u64,
-}
-
-impl Differences {
-    fn of(frame: &Frame, reference: &Frame, config: &Config) -> Self {
-        let limit = rounding_limit(config);
-        let mut found = Self::default();
-        let tests = reference.margins.iter().zip(&reference.decisions);
-        for (pair, (margins, decisions)) in frame.pixels.iter().zip(&reference.pixels).zip(tests) {
-            match pair {
-                (Some(a), Some(b)) => {
-                    found.material += u64::from(a.material != b.material);
-                    let apart = a.attributes.iter().zip(&b.attributes).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    if apart > limit {
-                        found.outcome += 1;
-                        let summed = sum_limit(config, decisions.pass + decisions.blend);
-                        if margins.depth <= DEPTH_ROUNDING {
-                            found.depth_test += 1;
-                        } else if margins.edge <= EDGE_ROUNDING {
-                            found.edge += 1;
-                        } else if apart <= summed {
-                            found.sum += 1;
-                        }
-                    }
-                }
-                (None, None) => {}
-                _ => found.coverage += 1,
-            }
-        }
-        found
-    }
-}
-
 /// The run behind a report.
 pub struct SplatRun<'a> {
     /// The scene's name.
@@ -196,6 +142,8 @@ pub struct SplatRun<'a> {
     pub engine: &'a str,
     /// The hardware's configuration.
     pub config: &'a Config,
+    /// How the reconstruction buffer answered.
+    pub memory: MemorySettings,
     /// What became of the splats sent.
     pub fates: Fates,
     /// What the host counted.
@@ -216,11 +164,17 @@ impl SplatReport {
     /// Derives the figures.
     #[must_use]
     pub fn new(run: &SplatRun) -> Self {
-        let SplatCounters { cycles, events, pixels_read, pixels_written } = *run.counters;
+        let SplatCounters { cycles, events, buffer } = *run.counters;
+        let BufferTraffic { pixels_read, pixels_written, bytes: buffer_moved_bytes, .. } = buffer;
         let EventCounts { sample: samples, starved, blocked, accumulate: accumulated, hazard, slot_wait } = events;
-        let share = |count: u64| count as f64 / (cycles.max(1) * u64::from(run.config.rasterizers)) as f64;
+        let ratio = |count: u64, each: u64| count as f64 / each.max(1) as f64;
+        let share = |count: u64| ratio(count, cycles * u64::from(run.config.rasterizers));
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
         let differences = Differences::of(run.frame, run.reference, run.config);
+        let bounds = bounds(run.config, &run.fates, run.counters);
+        let bound = bounds.into_iter().max_by_key(|bound| bound.cycles).expect("a frame uses resources");
+        let fragments = run.frame.pixels.iter().flatten().count() as u64;
+        let Fates { drawn, copies, .. } = run.fates;
         let is_comparable = [run.frame, run.reference].iter().any(|frame| frame.pixels.iter().any(Option::is_some));
         Self {
             scene: run.scene.to_owned(),
@@ -231,10 +185,19 @@ impl SplatReport {
             height: run.frame.height as u32,
             mismatches: run.mismatches,
             cycles,
-            cycles_per_splat: cycles as f64 / run.fates.total().max(1) as f64,
+            bounds,
+            bound,
+            bound_fraction: share(bound.cycles),
+            cycles_per_splat: ratio(cycles, run.fates.total()),
+            copies,
+            cycles_per_copy: ratio(cycles, copies),
             samples,
-            cycles_per_sample: cycles as f64 / samples.max(1) as f64,
+            cycles_per_sample: ratio(cycles, samples),
             accumulated,
+            visited_ratio: ratio(samples, accumulated),
+            samples_per_splat: ratio(accumulated, drawn),
+            coverage: ratio(fragments, run.frame.pixels.len() as u64),
+            overdraw: ratio(accumulated, fragments),
             rasterizer_utilisation: share(samples),
             accumulator_utilisation: share(accumulated),
             hazard_fraction: share(hazard),
@@ -243,7 +206,9 @@ impl SplatReport {
             blocked_fraction: share(blocked),
             buffer_read_bytes: pixels_read * pixel_bytes,
             buffer_write_bytes: pixels_written * pixel_bytes,
-            fragments: run.frame.pixels.iter().flatten().count() as u64,
+            buffer_moved_bytes,
+            memory: run.memory,
+            fragments,
             psnr_db: is_comparable.then_some(run.psnr_db),
             coverage_differences: differences.coverage,
             material_differences: differences.material,
@@ -292,8 +257,13 @@ impl SplatReport {
             ),
             ("splats culled", self.fates.to_string()),
             ("cycles", self.cycles.to_string()),
+            ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.bound_fraction))),
             ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
+            ("cycles per tile copy", format!("{:.2}", self.cycles_per_copy)),
             ("samples", format!("{} visited, {} of them inside their splat", self.samples, self.accumulated)),
+            ("samples visited for each inside", format!("{:.3}", self.visited_ratio)),
+            ("samples inside for each splat drawn", format!("{:.2}", self.samples_per_splat)),
+            ("coverage, overdraw", format!("{} of the samples, {:.2}", percent(self.coverage), self.overdraw)),
             ("cycles per sample", format!("{:.3}", self.cycles_per_sample)),
             ("rasterizer busy", percent(self.rasterizer_utilisation)),
             ("rasterizer without work", percent(self.starved_fraction)),
@@ -301,6 +271,7 @@ impl SplatReport {
             ("accumulator busy", percent(self.accumulator_utilisation)),
             ("accumulator waits for a pixel (hazard)", percent(self.hazard_fraction)),
             ("accumulator waits for a tile", percent(self.slot_wait_fraction)),
+            ("memory", self.memory_in_words()),
             ("reconstruction buffer read", format!("{} bytes", self.buffer_read_bytes)),
             ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
             ("PSNR against the f64 reference", psnr),
@@ -309,6 +280,20 @@ impl SplatReport {
             ("pixels that differ by more than one rounding", self.explanation()),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
         ]
+    }
+
+    /// How the memory answers.
+    fn memory_in_words(&self) -> String {
+        let MemorySettings { latency_cycles, bytes_per_cycle, burst_bytes, .. } = self.memory;
+        let bandwidth = match bytes_per_cycle {
+            Some(bytes) => format!("{bytes} bytes a cycle for both ways"),
+            None => "a pixel a cycle each way".to_owned(),
+        };
+        let bursts = match burst_bytes {
+            1 => String::new(),
+            bytes => format!(", in bursts of {bytes} bytes: {} bytes moved", self.buffer_moved_bytes),
+        };
+        format!("{latency_cycles} cycles latency, {bandwidth}{bursts}")
     }
 
     /// The report as Markdown.
@@ -321,7 +306,12 @@ impl SplatReport {
         text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";
         text +=
             "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";
-        text += "accumulator count cycles of the frame; waits overlap with each other across the two units.\n";
+        text += "accumulator count cycles of the frame; waits overlap with each other across the two units.\n\n";
+        text += "What the frame uses, and the cycles that this would take if it never waited; the largest is the frame's bound.\n\n";
+        text += "| resource | cycles |\n|---|---|\n";
+        for FrameBound { name, cycles } in &self.bounds {
+            _ = writeln!(text, "| {name} | {cycles} |");
+        }
         text
     }
 }

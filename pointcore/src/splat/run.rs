@@ -5,7 +5,9 @@ use super::encode::EncodedFrame;
 use super::generate::SplatCore;
 use super::host::{SplatCounters, SplatHost};
 use super::mask::{end_records, outputs};
+use super::memory::ReconstructionBuffer;
 use crate::generated::Progress;
+use crate::memory::MemorySettings;
 use crate::waveform::Waveform;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
@@ -46,6 +48,8 @@ pub struct SplatRunner<'a> {
     pub config: &'a Config,
     /// The frame.
     pub frame: &'a EncodedFrame,
+    /// How the reconstruction buffer answers.
+    pub memory: MemorySettings,
     /// When the host holds back.
     pub stall: Stall,
     /// Seed of the stalls and of the hardware's uninitialized values.
@@ -57,9 +61,16 @@ pub struct SplatRunner<'a> {
 }
 
 impl<'a> SplatRunner<'a> {
+    /// A frame on its hardware, never held back, to its end.
+    #[must_use]
+    pub const fn new(config: &'a Config, frame: &'a EncodedFrame) -> Self {
+        let memory = ReconstructionBuffer::SETTINGS;
+        Self { config, frame, memory, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None }
+    }
+
     fn host(&self) -> SplatHost<'a> {
         let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
-        SplatHost::new(self.config, self.frame, stalls, self.progress).stop_after(self.stop_after)
+        SplatHost::new(self.config, self.frame, self.memory, stalls, self.progress).stop_after(self.stop_after)
     }
 
     fn limit(&self) -> u64 {

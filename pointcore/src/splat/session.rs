@@ -4,8 +4,10 @@ use super::encode::EncodedFrame;
 use super::fates::Fates;
 use super::frame::assemble;
 use super::generate::SplatCore;
+use super::memory::ReconstructionBuffer;
 use super::run::{SplatOutcome, SplatRunner};
 use crate::generated::{GenerateError, Progress, verilate};
+use crate::memory::{MemoryError, MemorySettings};
 use crate::picture::Picture;
 use crate::plan::{Plan, PlanError};
 use crate::scene::Scene;
@@ -43,6 +45,9 @@ pub enum RenderError {
     /// Hardware and model differ, or a frame did not end.
     #[error(transparent)]
     Lockstep(#[from] LockstepError),
+    /// A memory that there is not.
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
     /// A frame beyond the end of the sequence.
     #[error("frame {index} is not among the {frames} of the sequence, which count from 0")]
     Frame {
@@ -106,6 +111,7 @@ pub struct RenderSession {
     /// The verilated core, unless the golden model renders alone.
     library: Option<Arc<Library>>,
     engine: RenderEngine,
+    memory: MemorySettings,
     stall: Stall,
     seed: u64,
 }
@@ -127,7 +133,8 @@ impl RenderSession {
     pub fn on(scene: Scene, plan: Plan, engine: RenderEngine, trace: Trace) -> Result<Self, RenderError> {
         let core = SplatCore::generate(&plan.config)?;
         let library = if engine == RenderEngine::Golden { None } else { Some(verilate(&core.design, trace)?) };
-        Ok(Self { scene, plan, core, library, engine, stall: Stall::Never, seed: 1 })
+        let memory = ReconstructionBuffer::SETTINGS;
+        Ok(Self { scene, plan, core, library, engine, memory, stall: Stall::Never, seed: 1 })
     }
 
     /// Holds streams back at random, and chooses the hardware's uninitialized values.
@@ -135,6 +142,22 @@ impl RenderSession {
     pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
         (self.stall, self.seed) = (stall, seed);
         self
+    }
+
+    /// Has the reconstruction buffer answer otherwise.
+    ///
+    /// # Errors
+    /// No memory answers so.
+    pub fn behind(mut self, memory: MemorySettings) -> Result<Self, RenderError> {
+        memory.validate()?;
+        self.memory = memory;
+        Ok(self)
+    }
+
+    /// The memory that holds the reconstruction buffer.
+    #[must_use]
+    pub const fn memory(&self) -> &MemorySettings {
+        &self.memory
     }
 
     /// The scene, as of the frame rendered last.
@@ -184,7 +207,7 @@ impl RenderSession {
         let (scene, plan) = (&self.scene, &self.plan);
         let frame = EncodedFrame::new(scene, plan);
         let (config, stall, seed) = (&plan.config, self.stall, self.seed);
-        let runner = SplatRunner { config, frame: &frame, stall, seed, progress, stop_after: None };
+        let runner = SplatRunner { memory: self.memory, stall, seed, progress, ..SplatRunner::new(config, &frame) };
         let outcome = match (self.engine, &self.library) {
             (RenderEngine::Hardware, Some(library)) => runner.hardware(library, waveform),
             (RenderEngine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),

@@ -4,7 +4,8 @@
 use super::frames::{Frame, HardCases, Lens, frames};
 use super::pace::Paces;
 use super::surroundings::{Idle, Pending, Surroundings, Watch, resets};
-use crate::splat::memory::ReconstructionBuffer;
+use crate::memory::MemorySettings;
+use crate::splat::memory::{PixelRun, ReconstructionBuffer};
 use fastrand::Rng;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::UniformWrite;
@@ -85,6 +86,11 @@ impl Script {
     }
 }
 
+/// An empty buffer that answers after a latency.
+fn buffer(config: &Config, latency_cycles: u64) -> ReconstructionBuffer {
+    ReconstructionBuffer::new(config, MemorySettings { latency_cycles, ..ReconstructionBuffer::SETTINGS })
+}
+
 impl Renderer {
     /// The host of a core, out of reset; silence for so many cycles means that it is stuck. What streams that offer nothing
     /// show is filled, or left as it is.
@@ -99,7 +105,7 @@ impl Renderer {
             idle,
             latency,
             resets,
-            buffer: ReconstructionBuffer::new(1 << config.tile_bits(), latency),
+            buffer: buffer(config, latency),
             inputs: In::default(),
             sending: 0,
             sent: 0,
@@ -110,7 +116,7 @@ impl Renderer {
 
     /// Begins again with the first frame that has not ended, on a core that has forgotten everything.
     fn restart(&mut self) {
-        self.buffer = ReconstructionBuffer::new(1 << self.config.tile_bits(), self.latency);
+        self.buffer = buffer(&self.config, self.latency);
         (self.sending, self.sent, self.written) = (self.ended, 0, 0);
     }
 
@@ -132,13 +138,13 @@ impl Renderer {
             }
         }
         if let Some(read) = read {
-            self.buffer.request(read.tile, cycle);
+            self.buffer.request(PixelRun::whole(read.tile), cycle);
         }
         if data {
             self.buffer.take();
         }
         if let Some(pixel) = &pixel {
-            self.buffer.write(pixel);
+            self.buffer.write(pixel, cycle);
         }
         self.ended += usize::from(fragment.is_some_and(|fragment| fragment.end));
         let uniform = inputs.uniform.is_some();
@@ -149,6 +155,7 @@ impl Renderer {
 
     /// Sets what is offered and what is taken; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
+        self.buffer.advance(cycle);
         let idle: [bool; STREAMS] = std::array::from_fn(|stream| self.paces.idle(stream, cycle));
         let frame = self.frames.get(self.sending);
         let uniforms = frame.map_or(&[][..], |frame| &frame.uniforms);

@@ -8,7 +8,6 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::records::{Fragment, Pixel, Splat, Uniforms};
 use pointcore_contract::{fields, words};
-use pointcore_tb::lockstep::Stall;
 
 /// A frame, with the reconstruction buffer at `base`. Fragments come in the order of the vectors, however the bus stalls.
 ///
@@ -18,8 +17,7 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
     let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
     let bytes = (u64::from(TILE_PIXELS) * u64::from(stride)) << config.tile_bits();
     let buffer_base = AddressSpace::new(base)?.take("a reconstruction buffer", bytes)?;
-    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
-    let fragments = runner.golden(&SplatCore::generate(config)?)?.fragments;
+    let fragments = SplatRunner::new(config, frame).golden(&SplatCore::generate(config)?)?.fragments;
 
     let splats = frame.records.iter().map(|splat| words(config, *splat));
     let end = Fragment { end: true, ..Fragment::default() };

@@ -80,7 +80,7 @@ impl Arguments {
     fn check(&self) -> Result<(), Failure> {
         self.search.check()?;
         self.simulation.check(self.simulated())?;
-        Ok(self.memory.settings().validate()?)
+        Ok(self.memory.settings().validate().map_err(SearchError::from)?)
     }
 
     const fn simulated(&self) -> Simulated {

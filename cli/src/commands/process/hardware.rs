@@ -6,7 +6,7 @@ use super::super::{Failure, choices, numbers};
 use pointcore::area::recorded::Clock;
 use pointcore::configuration::{self, Configuration};
 use pointcore::process::{Engine, Interpreted, Simulation, Timed};
-use pointcore::search::{SearchEngine, Splitting};
+use pointcore::search::{SearchEngine, SearchError, Splitting};
 use pointcore_contract::Format;
 use pointcore_contract::points::Config;
 use pointcore_tb::lockstep::Stall;
@@ -113,7 +113,7 @@ impl HardwareArguments {
             return Ok(Carrier { engine: Box::new(Interpreted), rate, clock: None });
         };
         let memory = self.memory.settings();
-        memory.validate()?;
+        memory.validate().map_err(SearchError::from)?;
         let hardware = self.hardware(format)?;
         let rate = hardware.as_ref().map_or(rate, |hardware| hardware.process.rate);
         let clock = Clock::of(&Configuration::Points(hardware.clone().unwrap_or_default()), self.clock_mhz);

@@ -2,6 +2,7 @@
 
 mod results;
 
+use super::memory::BusArguments;
 use super::progress::{with_progress, with_spinner};
 use super::results::Results;
 use super::simulation::{Engine, Simulated, SimulationArguments};
@@ -10,6 +11,7 @@ use pointcore::package::Package;
 use pointcore::plan::Plan;
 use pointcore::scene::{FRAMES_LIMIT, Scene};
 use pointcore::shading;
+use pointcore::splat::memory::ReconstructionBuffer;
 use pointcore::splat::{Fates, RenderSession};
 use pointcore::waveform::splat_view;
 use pointcore_golden::reference::{self, Mapping};
@@ -49,6 +51,9 @@ pub struct Arguments {
     model: RunEngine,
     #[command(flatten)]
     simulation: SimulationArguments,
+    /// How the reconstruction buffer's memory answers.
+    #[command(flatten)]
+    memory: BusArguments,
     /// Render a full turn around the scene in N frames, each on the hardware: frames/ and animation.png; as `--set camera.turntable=N`.
     #[arg(long, value_name = "N", value_parser = numbers::within(1..=FRAMES_LIMIT, "1 to 2000 frames"))]
     turntable: Option<usize>,
@@ -73,9 +78,10 @@ pub struct Arguments {
 impl Arguments {
     fn check(&self) -> Result<(), Failure> {
         self.simulation.check(self.simulated())?;
-        let needs_fragments = self.depth || self.normals || self.turntable.is_some() || self.simulation.is_stalled();
-        if self.model == RunEngine::Reference && needs_fragments {
-            let message = "--depth, --normals, --turntable and --stalls go with --model rtl or golden";
+        let needs_fragments = self.depth || self.normals || self.turntable.is_some();
+        let needs_cycles = self.simulation.is_stalled() || self.memory.is_given();
+        if self.model == RunEngine::Reference && (needs_fragments || needs_cycles) {
+            let message = "--depth, --normals, --turntable, --stalls, --latency, --bandwidth and --burst go with --model rtl or golden";
             return Err(Failure::Usage(message.to_owned()));
         }
         Ok(())
@@ -105,7 +111,8 @@ impl Arguments {
         let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
             RenderSession::on(scene, plan, self.engine().into(), trace)
         });
-        Ok(session?.randomized(self.simulation.stall(), self.seed))
+        let memory = self.memory.settings(ReconstructionBuffer::SETTINGS);
+        Ok(session?.behind(memory)?.randomized(self.simulation.stall(), self.seed))
     }
 }
 

@@ -82,6 +82,7 @@ impl<'a> FrameResults<'a> {
             scene: self.name,
             engine: self.engine.name(),
             config: &session.plan().config,
+            memory: *session.memory(),
             fates: frame.fates,
             counters: &frame.outcome.counters,
             frame: &frame.samples,

@@ -88,6 +88,8 @@ pub struct SampleMaps {
     evaluated: Vec<u32>,
     inside: Vec<u32>,
     hazards: Vec<u32>,
+    /// Copies that the rasterizer took.
+    pub copies: u64,
 }
 
 impl SampleMaps {
@@ -98,7 +100,7 @@ impl SampleMaps {
         let lanes = vec![lane; config.rasterizers as usize];
         let (evaluated, inside) = (zeros.clone(), zeros.clone());
         let sampling = config.sampling;
-        Self { layout, sampling, lanes, evaluated, inside, hazards: zeros }
+        Self { layout, sampling, lanes, evaluated, inside, hazards: zeros, copies: 0 }
     }
 
     /// A rasterizer takes a copy: it will evaluate each sample of its octagon.
@@ -106,6 +108,7 @@ impl SampleMaps {
         if copy.end {
             return;
         }
+        self.copies += 1;
         self.lanes[lane].tiles[usize::from(copy.slot)] = copy.tile;
         let tile = &mut self.evaluated[copy.tile as usize * PIXELS..][..PIXELS];
         for row in copy.bounds.top..=copy.bounds.bottom {

@@ -104,6 +104,7 @@ impl RunPage<'_> {
         vec![
             ("splats drawn", report.fates.drawn.to_string()),
             ("cycles", report.cycles.to_string()),
+            ("bound of the cycles", format!("{}, {}", percent(report.bound_fraction), report.bound.name)),
             ("cycles a sample", format!("{:.3}", report.cycles_per_sample)),
             ("PSNR against f64", psnr),
             mismatches,

@@ -23,6 +23,7 @@ fn report(session: &RenderSession, frame: &RenderedFrame) -> SplatReport {
         scene: "a < b",
         engine: "golden",
         config: &session.plan().config,
+        memory: *session.memory(),
         fates: frame.fates,
         counters: &frame.outcome.counters,
         frame: &frame.samples,
@@ -74,7 +75,7 @@ fn maps_and_timeline_sum_to_the_figures_of_the_report() {
     let (report, events) = (report(&session, &frame), frame.outcome.counters.events);
     let html = html(&session, &frame);
     let maps = data(&html, "maps")["maps"].clone();
-    let evictions = frame.outcome.counters.pixels_written / 64;
+    let evictions = frame.outcome.counters.buffer.pixels_written / 64;
     let expected = [report.samples, report.accumulated, events.hazard, evictions];
     assert!(expected.iter().all(|sum| *sum > 0), "{expected:?} would show nothing");
     for (index, sum) in expected.into_iter().enumerate() {
@@ -82,7 +83,10 @@ fn maps_and_timeline_sum_to_the_figures_of_the_report() {
         assert_eq!(maps[index]["sum"], sum);
     }
 
-    let timeline = frame.outcome.activity.timeline();
+    let activity = &frame.outcome.activity;
+    assert_eq!(activity.samples().expect("the model shows its units").copies, report.copies);
+    assert!(report.bound_fraction < 1.0 && report.bounds.iter().all(|bound| bound.cycles <= report.bound.cycles));
+    let timeline = activity.timeline();
     assert_eq!(timeline.cycles(), frame.outcome.simulated_cycles);
     for (unit, state, cycles) in [
         (Unit::Rasterizer, State::Busy, report.samples),

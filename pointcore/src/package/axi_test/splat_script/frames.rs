@@ -8,7 +8,7 @@ use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::{Attributes, Fragment, Splat};
 use pointcore_contract::{Camera, Rendering};
-use pointcore_tb::lockstep::{LockstepError, Stall};
+use pointcore_tb::lockstep::LockstepError;
 
 /// Tiles with splats: more than the core keeps, so that some leave for memory and come back.
 const TILES: usize = 7;
@@ -35,9 +35,7 @@ pub struct Frame {
 pub fn all(config: &Config, core: &SplatCore) -> Result<Vec<Frame>, LockstepError> {
     let frame = |number| {
         let sent = frame(config, number);
-        let runner =
-            SplatRunner { config, frame: &sent, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
-        let mut fragments = runner.golden(core)?.fragments;
+        let mut fragments = SplatRunner::new(config, &sent).golden(core)?.fragments;
         fragments.push(Fragment { end: true, ..Fragment::default() });
         Ok(Frame { sent, fragments })
     };

@@ -1,0 +1,88 @@
+//! Pixels come back as they were written, when latency, bandwidth and bursts say.
+
+use super::*;
+
+fn config() -> Config {
+    Config { width: 16, height: 8, continuous: 6, ..Config::default() }
+}
+
+fn value(pixel: u8) -> Pixel {
+    Pixel { weight: 100 + u32::from(pixel), ..Pixel::default() }
+}
+
+/// A buffer whose second tile is written, and the cycle in which the last pixel was accepted.
+fn written(settings: MemorySettings) -> (ReconstructionBuffer, u64) {
+    let mut buffer = ReconstructionBuffer::new(&config(), settings);
+    let (mut now, mut pixel) = (0, 0);
+    while pixel < PIXELS as u8 {
+        buffer.advance(now);
+        if buffer.is_writable(now) {
+            buffer.write(&PlacedPixel { tile: 1, pixel, value: value(pixel) }, now);
+            pixel += 1;
+        }
+        now += 1;
+    }
+    (buffer, now - 1)
+}
+
+/// Requests runs in cycle `now`, takes every pixel as soon as it is offered: cycles and weights.
+fn read(buffer: &mut ReconstructionBuffer, runs: &[PixelRun], now: u64) -> Vec<(u64, u32)> {
+    runs.iter().for_each(|run| buffer.request(*run, now));
+    let mut seen = vec![];
+    for cycle in now..now + 2000 {
+        buffer.advance(cycle);
+        if let Some(pixel) = buffer.offer(cycle) {
+            seen.push((cycle - now, pixel.weight));
+            buffer.take();
+        }
+    }
+    seen
+}
+
+#[test]
+fn reads_return_what_was_written_after_the_latency_a_pixel_a_cycle() {
+    let (mut buffer, last) = written(MemorySettings { latency_cycles: 3, ..ReconstructionBuffer::SETTINGS });
+    assert_eq!(last, 63, "a write a cycle");
+    let seen = read(&mut buffer, &[PixelRun::whole(1), PixelRun::whole(0)], 100);
+    let expected = (0..64).map(|pixel| (3 + pixel, 100 + pixel as u32)).chain((64..128).map(|pixel| (3 + pixel, 0)));
+    assert_eq!(seen, expected.collect::<Vec<_>>());
+    let traffic = buffer.traffic();
+    assert_eq!((traffic.pixels_read, traffic.pixels_written, traffic.busy_cycles), (128, 64, 128));
+    assert_eq!(traffic.bytes, 192 * u64::from(pixel_bytes(&config())));
+}
+
+#[test]
+fn a_run_of_any_length_is_read() {
+    let (mut buffer, _) = written(MemorySettings { latency_cycles: 5, ..ReconstructionBuffer::SETTINGS });
+    let runs = [PixelRun { tile: 1, first: 7, count: 3 }, PixelRun { tile: 1, first: 63, count: 1 }];
+    assert_eq!(read(&mut buffer, &runs, 100), [(5, 107), (6, 108), (7, 109), (8, 163)]);
+}
+
+#[test]
+fn reads_and_writes_share_a_bandwidth() {
+    let bytes = f64::from(pixel_bytes(&config()));
+    let settings = |pixels: f64| MemorySettings {
+        latency_cycles: 1,
+        bytes_per_cycle: Some(pixels * bytes),
+        ..ReconstructionBuffer::SETTINGS
+    };
+    let (mut buffer, last) = written(settings(0.5));
+    assert_eq!(last, 126, "a write every second cycle");
+    // A read in the midst of writes waits for the bus, and they for the read.
+    buffer.request(PixelRun::whole(0), 200);
+    buffer.advance(201);
+    assert!(!buffer.is_writable(201) && !buffer.is_writable(328) && buffer.is_writable(329));
+    assert_eq!(buffer.traffic().busy_cycles, 256);
+    let (_, last) = written(settings(4.0));
+    assert_eq!(last, 63, "the port takes no more than a pixel a cycle");
+}
+
+#[test]
+fn bursts_are_moved_whole_and_once() {
+    let settings = MemorySettings { burst_bytes: 64, ..ReconstructionBuffer::SETTINGS };
+    let tile = (64 * u64::from(pixel_bytes(&config()))).next_multiple_of(64);
+    let (mut buffer, _) = written(settings);
+    assert_eq!(buffer.traffic().bytes, tile, "pixels of a burst share it");
+    read(&mut buffer, &[PixelRun { tile: 1, first: 2, count: 1 }], 100);
+    assert_eq!(buffer.traffic().bytes, tile + 64, "a single pixel takes a burst");
+}
