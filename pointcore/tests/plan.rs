@@ -30,8 +30,7 @@ fn generate(plan: &Plan) -> SplatCore {
 
 fn render(scene: &Scene, plan: &Plan, core: &SplatCore) -> SplatOutcome {
     let (config, frame) = (&plan.config, &EncodedFrame::new(scene, plan));
-    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
-    runner.golden(core).unwrap_or_else(|error| panic!("{error}"))
+    SplatRunner::new(config, frame).golden(core).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn instances(core: &SplatCore) -> u64 {
@@ -103,7 +102,7 @@ fn small_scan(folder: &Path) -> String {
 }
 
 /// Every shipped scene with the settings that make it small.
-fn shipped(folder: &Path) -> [(&'static str, Vec<String>); 5] {
+fn shipped(folder: &Path) -> [(&'static str, Vec<String>); 7] {
     let image = ["image.width=64", "image.height=48"].map(str::to_owned).to_vec();
     let with = |more: &[&str]| image.iter().cloned().chain(more.iter().map(|&text| text.to_owned())).collect();
     [
@@ -112,6 +111,8 @@ fn shipped(folder: &Path) -> [(&'static str, Vec<String>); 5] {
         ("minified", with(&["object.0.points=1000"])),
         ("plane", with(&["object.0.points=200"])),
         ("igea", with(&[&small_scan(folder)])),
+        ("inside", with(&["object.0.points=2000"])),
+        ("dense", with(&["object.0.points=1200", "object.0.radius_scale=2"])),
     ]
 }
 
@@ -133,7 +134,7 @@ fn planned_hardware_renders_shipped_scenes_bit_for_bit() {
 fn results_say_what_shipped_scenes_call_for() {
     let cells = |row: &str| -> Vec<String> { row.split('|').map(|cell| cell.trim().to_owned()).collect() };
     let rows: Vec<_> = include_str!("../../docs/results.md").lines().map(cells).collect();
-    for name in ["knot", "minified", "plane", "shapes"] {
+    for name in ["dense", "inside", "knot", "minified", "plane", "shapes"] {
         let (scene, plan) = planned(name, &[]);
         let costs = Costs::whole(&scene, &plan, Cycles::Untold, None).unwrap_or_else(|error| panic!("{error}"));
         let expected = cells(&table_row(name, &plan, &costs));
@@ -147,13 +148,12 @@ fn results_say_what_shipped_scenes_call_for() {
 #[test]
 fn planned_hardware_agrees_with_its_model() {
     let folder = tempfile::tempdir().expect("the system has a temporary folder");
-    let [_, _, _, (name, settings), _] = shipped(folder.path());
+    let [_, _, _, (name, settings), ..] = shipped(folder.path());
     let (scene, plan) = planned(name, &settings);
     assert_eq!([plan.config.culling, plan.config.screen_filter, plan.config.eye_plane], [Feature::Off; 3]);
     let core = generate(&plan);
     let (config, frame) = (&plan.config, &EncodedFrame::new(&scene, &plan));
-    let runner =
-        SplatRunner { config, frame, stall: Stall::Random(0.2), seed: 1, progress: &|_, _| {}, stop_after: None };
+    let runner = SplatRunner { stall: Stall::Random(0.2), ..SplatRunner::new(config, frame) };
     let library = {
         let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
         let source = VerilogSource::from(&core.design);

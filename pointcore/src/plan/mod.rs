@@ -101,6 +101,13 @@ impl Plan {
         let mut choices = choices(scene, &config, &demand);
 
         config = overridden(&config, overrides)?;
+        if let Some(value) = overrides.get("continuous").filter(|_| config.continuous < attributes.len() as u32) {
+            let differing = attributes.len();
+            let problem = format!(
+                "{differing} components of normal and color differ between splats: expected {differing} at least"
+            );
+            return Err(PlanError::Value { key: "continuous".to_owned(), value: value.clone(), problem });
+        }
         if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &config, &demand) {
             return Err(PlanError::Conflict { key: effect.key(), value, reason, alternative });
         }

@@ -5,13 +5,12 @@ use pointcore_contract::splat::Config;
 use serde::Deserialize;
 
 /// Keys of the configuration that follow from the scene alone, and where it says them.
-const SCENE_KEYS: [(&str, &str); 7] = [
+const SCENE_KEYS: [(&str, &str); 6] = [
     ("width", "set `image.width`"),
     ("height", "set `image.height`"),
     ("sampling", "set `image.sampling`"),
     ("depth", "set `splatting.depth`"),
     ("kernel_gamma", "set `splatting.kernel_gamma`"),
-    ("continuous", "it counts the components of normal and color that differ between splats"),
     ("cardinal", "it is 1 where splats differ in `material`"),
 ];
 

@@ -160,6 +160,13 @@ fn what_shading_does_not_read_is_left_out() {
 }
 
 #[test]
+fn more_attributes_may_be_carried_than_shading_reads() {
+    let more = plan(&format!("{HEAD}{SPHERE}[overrides]\ncontinuous = 14\n")).expect("the scene is good");
+    let usual = plan(&format!("{HEAD}{SPHERE}")).expect("the scene is good");
+    assert_eq!((more.config.continuous, &more.attributes), (14, &usual.attributes));
+}
+
+#[test]
 fn hardware_that_excludes_an_effect_is_named_with_the_remedy() {
     let scene = |text: &str| {
         let folder = tempfile::tempdir().expect("the system has a temporary folder");
