@@ -16,7 +16,7 @@ mod report;
 mod run;
 mod session;
 
-pub use bound::{FrameBound, rasterizers, reorder_interval};
+pub use bound::{FrameBound, copy_interval};
 pub use differences::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, rounding_limit, sum_limit};
 pub use encode::{END, EncodedFrame};
 pub use fates::{Fates, copy_tiles};
