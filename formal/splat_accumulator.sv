@@ -1,13 +1,15 @@
 // splat_accumulator: a pixel is what its samples make of it, one after the other: none is lost, taken twice, or taken out of order.
 //
-// One pixel of two, in one slot of two, is watched. Samples are such that sums and depth test, which are in the proof as they are,
+// One pixel of two, in one slot of two, each in a bank of its own, is watched. Samples are such that sums and depth test, which are in the proof as they are,
 // count them: one in front of all others begins again at one. Each has the weight and depth of one unit; the ends of its band are zero
 // and zero, or zero and the largest. What samples of other pixels, and fills of them, carry is the same.
+// What the tile cache wants is carried out in cycles that the page names, by what the unit shows of its samples.
 //
 // Assumed, with the words of docs/units/splat/accumulator.md and tile_cache.md:
 // - a copy's samples have one slot and come one after the other, the last one marked; an end comes between copies;
 // - a slot that still expects samples does not cease to be ready: those of all copies that came and have not retired;
-// - slots are filled and drained while they are not ready, one slot at a time, and no pixel is read while it is filled.
+// - slots change, are filled and drained while they are not ready, and no pixel is read while it is filled;
+// - a slot becomes ready after a change, when all that it is said to hold was filled.
 module proof (input clk);
     `include "sizes.vh"
 
@@ -15,16 +17,21 @@ module proof (input clk);
     always @(posedge clk) rst <= 0;
 
     (* anyseq *) reg in_valid, in_end, in_last, in_inside, in_slot, in_front, fill_valid, fill_slot, fill_any, drain_enable, drain_slot;
+    (* anyseq *) reg change_valid, change_slot;
     (* anyseq *) reg in_place, fill_place, drain_place;
     wire [5:0] in_pixel = in_place, fill_pixel = fill_place, drain_pixel = drain_place;
-    (* anyseq *) reg [1:0] slot_ready;
+    (* anyseq *) reg [1:0] slot_ready, change_any;
+    wire [63:0] change_held = change_any;
     wire [15:0] in_weight = 1;
     wire [39:0] in_weighted_depth = 1;
     wire [23:0] in_depth_low = 0, in_depth_high = in_front ? 0 : 24'hffffff, in_attribute_0 = 1;
-    wire [27:0] fill_weight = fill_any, drain_weight;
-    wire [51:0] fill_depth = fill_any, drain_depth;
-    wire [35:0] fill_attribute_0 = fill_any, drain_attribute_0;
-    wire in_ready, retire_valid, retire_slot, frame_end, event_accumulate, event_hazard, event_slot_wait;
+    wire [27:0] fill_weight = fill_any, drained_weight;
+    wire [51:0] fill_depth = fill_any, drained_depth;
+    wire [35:0] fill_attribute_0 = fill_any, drained_attribute_0;
+    wire [5:0] drained_pixel;
+    wire [63:0] masks_written, masks_dirty;
+    wire [1:0] sample_reads, sample_writes;
+    wire drained_valid, in_ready, retire_valid, retire_slot, frame_end, event_accumulate, event_hazard, event_slot_wait;
     `UNIT unit (.*);
 
     (* anyconst *) reg slot;
@@ -43,27 +50,36 @@ module proof (input clk);
         pending[1] <= pending[1] + (begins && in_slot) - (retire_valid && retire_slot);
         ends <= ends + (comes && in_end) - frame_end;
     end
-    reg [1:0] was_ready = 0;
-    always @(posedge clk) was_ready <= slot_ready & {2{!rst}};
+    reg [1:0] was_ready = 0, write_taken = 0;
+    always @(posedge clk) begin
+        was_ready <= slot_ready & {2{!rst}};
+        write_taken <= sample_writes & {2{!rst}};
+    end
     always @* begin
-        assume (!rst || !(in_valid || fill_valid || drain_enable || slot_ready));
+        assume (!rst || !(in_valid || change_valid || fill_valid || drain_enable || slot_ready));
         assume (!begun || (in_slot == begun_slot && !in_end));
         assume (!(begins && &pending[in_slot]) && !(comes && in_end && &ends));
         assume (!(was_ready[0] && !slot_ready[0]) || pending[0] == 0);
         assume (!(was_ready[1] && !slot_ready[1]) || pending[1] == 0);
         assume (!(fill_valid && slot_ready[fill_slot]) && !(drain_enable && slot_ready[drain_slot]));
+        assume (!(change_valid && slot_ready[change_slot]));
         assume (!(fill_valid && drain_enable && fill_slot == drain_slot && fill_pixel == drain_pixel));
     end
 
-    // What the watched pixel must be: what it was filled with, and its samples; those that come before the fill follow it.
+    // What is carried out.
+    wire changes = change_valid && change_slot == slot && !sample_reads[slot];
+    wire fills = fill_valid && fill_slot == slot && fill_pixel == pixel && !write_taken[slot];
+    wire drains = drain_enable && drain_slot == slot && !sample_reads[slot];
+    wire drains_other = drain_enable && drain_slot != slot && !sample_reads[!slot];
+
+    // What the watched pixel must be: what it was filled with, or zero, and its samples; those that come before the fill follow it.
     localparam COUNT_BITS = 5;
     reg [COUNT_BITS-1:0] must, samples = 0;
     reg front = 0;
     wire is_sample = comes && !in_end && in_inside && in_slot == slot && in_pixel == pixel;
     wire falls = was_ready[slot] && !slot_ready[slot];
-    wire fills = fill_valid && fill_slot == slot && fill_pixel == pixel;
-    reg filled_value;
-    wire [COUNT_BITS-1:0] now = samples + (front ? 0 : filled_value);
+    reg is_held, filled_value;
+    wire [COUNT_BITS-1:0] now = samples + (front || !is_held ? 0 : filled_value);
     always @(posedge clk) if (!rst) begin
         if (falls) begin
             must <= now;
@@ -73,29 +89,45 @@ module proof (input clk);
             samples <= in_front ? 1 : samples + 1;
             front <= front || in_front;
         end
+        if (changes) is_held <= change_any[pixel];
         if (fills) filled_value <= fill_any;
     end
 
-    // A pixel that is read shows with the next enable.
-    reg reads = 0, shows = 0;
-    wire drained = drain_enable && drain_slot == slot && drain_pixel == pixel;
-    // Its slot was ready since the pixel was filled, and the pixel was not filled since.
-    reg is_known = 0, read_known;
-    reg was_filled = 0;
-    always @* assume (!(drain_enable && reads) || drain_slot == slot);
+    // The slot changed since it was ready, and its pixel has to be filled.
+    reg has_changed = 0, lacks = 0;
+    always @* assume (!(slot_ready[slot] && !was_ready[slot]) || (has_changed && !lacks));
+    // What its masks are, once it had a tile, and whether the pixel is what it must be.
+    reg is_known = 0, is_written, is_dirty, is_whole = 0;
+    wire written = falls ? samples != 0 || is_held : is_written;
+    wire dirty = falls ? samples != 0 : is_dirty;
+    wire whole = falls ? written : is_whole;
     always @(posedge clk) if (!rst) begin
-        was_filled <= (was_filled || fills) && !falls;
-        is_known <= (falls ? was_filled : is_known) && !fills;
-        if (drain_enable) begin
-            reads <= drained && (falls ? was_filled : is_known);
-            shows <= reads;
-        end
-        if (slot_ready[slot]) {reads, shows} <= 0;
+        has_changed <= (has_changed || changes) && !slot_ready[slot];
+        lacks <= changes ? change_any[pixel] : lacks && !fills;
+        is_known <= is_known || changes;
+        is_written <= changes ? change_any[pixel] : written;
+        is_dirty <= !changes && dirty;
+        is_whole <= whole && !changes && !fills;
+    end
+
+    // What was drained and what was told of a slot that changed.
+    reg [1:0] drained = 0, any_drained = 0;
+    reg tells = 0, told_written, told_dirty;
+    wire shows = drained[1];
+    always @(posedge clk) if (!rst) begin
+        drained <= {drained[0], drains && drain_pixel == pixel && whole};
+        any_drained <= {any_drained[0], drains || drains_other};
+        tells <= changes && is_known;
+        {told_written, told_dirty} <= {written, dirty};
     end
 
     always @(posedge clk) if (!rst) begin
-        as_samples_made_it: assert (!(shows && !slot_ready[slot]) || (drain_weight == must && drain_depth == must
-            && drain_attribute_0 == must));
+        shows_what_was_drained: assert (drained_valid == any_drained[1] && (!shows || drained_pixel == pixel));
+        as_samples_made_it: assert (!shows || (drained_weight == must && drained_depth == must && drained_attribute_0 == must));
+        tells_what_was_held: assert (!tells || {masks_written[pixel], masks_dirty[pixel]} == {told_written, told_dirty});
+        // Only samples that came hold up the tile cache.
+        leaves_banks_0: assert (!(sample_reads[0] || sample_writes[0]) || pending[0] != 0);
+        leaves_banks_1: assert (!(sample_reads[1] || sample_writes[1]) || pending[1] != 0);
         retires_what_came: assert (!retire_valid || pending[retire_slot] != 0);
         frame_ends_last: assert (!frame_end || (ends != 0));
         nothing_before_the_end: assert (!(frame_end && ends == 1) || !in_order_before);
@@ -113,7 +145,8 @@ module proof (input clk);
     reg waited = 0;
     always @(posedge clk) if (!rst) begin
         waited <= waited || event_hazard;
-        cover (shows && must == 2 && !slot_ready[slot]);
+        cover (shows && must == 2);
+        cover (tells && told_written && !told_dirty);
         cover (frame_end && waited);
     end
 endmodule

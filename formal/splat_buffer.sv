@@ -1,7 +1,8 @@
 // splat_buffer: no burst of a read is asked for before all writes handed over before that read are answered; reads and writes go to the
-// addresses of their tiles and pixels; neither is held longer than memory and core need to take and answer what is under way.
+// addresses of their pixels; neither is held longer than memory and core need to take and answer what is under way.
 //
-// Assumed: the core and the memory hold what they offer; the base is a multiple of 4,096, and may change at any time. The memory answers
+// Assumed: the core and the memory hold what they offer; a read stays within a row of so many pixels, and where a row takes several
+// bursts it is of all of the row; the base is a multiple of 4,096, and may change at any time. The memory answers
 // each write once, in any order, even before it has taken all of it (but not with WAITS); other reads and writes, and the data that
 // answer reads, are free.
 module proof (input clk);
@@ -9,11 +10,11 @@ module proof (input clk);
     `include "record.vh"
     localparam BYTES = BITS / 8;
     localparam STRIDE = BEATS * BYTES;
-    localparam TILE_BYTES = TILE_PIXELS * STRIDE;
-    // A tile begins at a multiple of its size: it is read in bursts of the same length.
+    localparam RUN_BYTES = RUN_PIXELS * STRIDE;
+    // A row begins at a multiple of its size: a read of all of it takes bursts of the same length.
     localparam CHUNK_BYTES = 256 * BYTES < 4096 ? 256 * BYTES : 4096;
-    localparam BURST_BYTES = TILE_BYTES < CHUNK_BYTES ? TILE_BYTES : CHUNK_BYTES;
-    localparam BURSTS = TILE_BYTES / BURST_BYTES;
+    localparam BURST_BYTES = RUN_BYTES < CHUNK_BYTES ? RUN_BYTES : CHUNK_BYTES;
+    localparam BURSTS = RUN_BYTES / BURST_BYTES;
     localparam COUNT_BITS = $clog2(LIMIT + 4 * BURSTS);
 
     reg rst = 1;
@@ -23,7 +24,8 @@ module proof (input clk);
     (* anyseq *) reg m_axi_awready, m_axi_wready, m_axi_bvalid, m_axi_arready, m_axi_rvalid, m_axi_rlast;
     (* anyseq *) reg [31:0] base;
     (* anyseq *) reg [TILE_BITS-1:0] read_tile, write_tile;
-    (* anyseq *) reg [PIXEL_BITS-1:0] write_pixel;
+    (* anyseq *) reg [PIXEL_BITS-1:0] read_pixel, write_pixel;
+    (* anyseq *) reg [RUN_BITS-1:0] read_count;
     (* anyseq *) reg [2:0] write_a;
     (* anyseq *) reg [19:0] write_b;
     (* anyseq *) reg [8:0] write_d;
@@ -50,13 +52,16 @@ module proof (input clk);
     wire answered = m_axi_bvalid && m_axi_bready;
     wire asked = m_axi_arvalid && m_axi_arready;
     wire data_beat = m_axi_rvalid && m_axi_rready;
-    axi_channel #(.WIDTH(TILE_BITS)) reads (clk, rst, read_valid, read_ready, read_tile);
+    axi_channel #(.WIDTH(TILE_BITS + PIXEL_BITS + RUN_BITS)) reads (clk, rst, read_valid, read_ready, {read_tile, read_pixel, read_count});
     axi_channel #(.WIDTH(TILE_BITS + PIXEL_BITS + 33)) writes (
         clk, rst, write_valid, write_ready, {write_tile, write_pixel, write_a, write_b, write_c, write_d}
     );
     axi_channel #(.WIDTH(4 + 2)) write_answers (clk, rst, m_axi_bvalid, m_axi_bready, {m_axi_bid, m_axi_bresp});
     axi_channel #(.WIDTH(BITS + 4 + 3)) data (clk, rst, m_axi_rvalid, m_axi_rready, {m_axi_rdata, m_axi_rid, m_axi_rresp, m_axi_rlast});
     always @* assume (base[11:0] == 0);
+    localparam PLACE_BITS = $clog2(RUN_PIXELS);
+    wire is_whole_row = read_pixel[PLACE_BITS-1:0] == 0 && read_count == RUN_PIXELS;
+    always @* assume (BURSTS > 1 ? is_whole_row : read_count != 0 && read_pixel[PLACE_BITS-1:0] + read_count <= RUN_PIXELS);
 
     // Writes handed over and not answered; a symbolic one of them, which an answer names or not.
     (* anyseq *) reg follow_write, named;
@@ -92,16 +97,18 @@ module proof (input clk);
     end
 
 `ifdef ADDRESSES
-    // The first burst of a symbolic read, behind those of `ahead`, asks for its tile.
+    // The first burst of a symbolic read, behind those of `ahead`, asks for its pixels.
     (* anyseq *) reg follow_read;
     reg is_asked_for = 0;
     reg [COUNT_BITS-1:0] ahead = 0;
-    reg [31:0] tile_address;
+    reg [31:0] run_address;
+    reg [RUN_BITS-1:0] run_count;
     always @(posedge clk) if (!rst) begin
         if (!is_asked_for) begin
             is_asked_for <= read && follow_read;
             ahead <= unasked - asked;
-            tile_address <= base + read_tile * TILE_BYTES;
+            run_address <= base + (read_tile * TILE_PIXELS + read_pixel) * STRIDE;
+            run_count <= read_count;
         end else if (asked) begin
             is_asked_for <= ahead != 0;
             ahead <= ahead - 1;
@@ -114,7 +121,7 @@ module proof (input clk);
         .offered(m_axi_awvalid), .valid(m_axi_awvalid), .ready(m_axi_awready), .shown(m_axi_awaddr)
     );
     always @(posedge clk) if (!rst) begin
-        its_tile: assert (!shows_burst || (m_axi_araddr == tile_address && m_axi_arlen == BURST_BYTES / BYTES - 1));
+        its_pixels: assert (!shows_burst || (m_axi_araddr == run_address && m_axi_arlen == run_count * BEATS - 1));
         cover (shows_burst && ahead != unasked - 1);
     end
 `endif

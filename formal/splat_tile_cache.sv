@@ -1,16 +1,17 @@
 // splat_tile_cache: what samples left in a pixel is there when its tile's next samples come, and in the frame that is sent.
 //
-// One pixel of a symbolic tile is watched: in the slots, which are here with their data as docs/units/splat/accumulator.md has them; in
-// the reconstruction buffer, whose other words are free; and as it must be. Samples of copies that are under way in a ready slot change
-// it as they like. Values are a bit, repeated in all fields and compared in two of them: it stands for any bit of a pixel, with a weight
-// where it is set.
+// One pixel of a symbolic tile is watched: in the slots, which are here with their masks and data as docs/units/splat/accumulator.md has
+// them; in the reconstruction buffer, whose other words are free; and as it must be. Samples of copies that are under way in a ready slot
+// change it as they like. Values are a bit, repeated in all fields and compared in two of them: it stands for any bit of a pixel, with a
+// weight where it is set. Samples come to three pixels of a tile: one alone in its row, and two beside each other in another.
 //
 // Assumed, with the words of docs/units/splat/tile_cache.md:
 // - copies retire that are under way, one a cycle, at any time; there are no more than UNDER_WAY in a slot;
 // - `frame_end` comes once, when the end copy and all before it are done, and the end of the frame before was taken;
-// - the buffer answers each read with the tile's pixels in order, at any time, as of all writes accepted before it; what was never
-//   written is anything;
-// - the drain port shows the pixel of the enable before, while that slot is not ready.
+// - the buffer answers each read with its pixels in order, at any time, as of all writes accepted before it; what was never written is
+//   anything; it takes up to three reads before it has answered;
+// - the slots carry out a change, a drain or a fill in a cycle that they choose, as told by `sample_reads` and `sample_writes`, and show
+//   masks and pixels when the page says.
 module proof (input clk);
     `include "sizes.vh"
     localparam SLOTS = 2;
@@ -20,9 +21,9 @@ module proof (input clk);
     always @(posedge clk) rst <= 0;
 
     (* anyseq *) reg in_valid, in_end, out_ready, read_ready, data_valid, write_ready, pixel_ready, retire_valid, retire_slot, frame_end;
-    (* anyseq *) reg [1:0] in_tile;
+    (* anyseq *) reg [1:0] in_tile, sample_reads, sample_writes;
     (* anyseq *) reg [ATTRIBUTE_BITS-1:0] in_attribute_0;
-    (* anyseq *) reg data_any, shown_any, sample;
+    (* anyseq *) reg data_any, held_any, sample;
     (* anyconst *) reg [31:0] any;
     wire [31:0] in_center_x = any, in_center_y = any, in_ax = any, in_bx = any, in_ay = any, in_by = any, in_delta = any;
     wire [31:0] in_mx = any, in_my = any;
@@ -30,12 +31,14 @@ module proof (input clk);
     wire [2:0] in_left = any, in_right = any, in_top = any, in_bottom = any;
     wire [3:0] in_first_sum = any, in_last_sum = any, in_first_difference = any, in_last_difference = any;
     wire in_ready, out_valid, out_end, out_slot, read_valid, data_ready, write_valid, pixel_valid, pixel_end, fill_valid, fill_slot;
-    wire drain_enable, drain_slot;
+    wire change_valid, change_slot, drain_enable, drain_slot;
+    wire [63:0] change_held;
     wire [1:0] out_tile, read_tile, write_tile, pixel_tile, slot_ready;
-    wire [5:0] write_pixel, pixel_pixel, fill_pixel, drain_pixel;
-    wire [ATTRIBUTE_BITS-1:0] out_attribute_0, write_attribute_0, pixel_attribute_0, fill_attribute_0, data_attribute_0, drain_attribute_0;
-    wire [27:0] data_weight, write_weight, pixel_weight, fill_weight, drain_weight;
-    wire [51:0] data_depth, write_depth, pixel_depth, fill_depth, drain_depth;
+    wire [5:0] read_pixel, write_pixel, pixel_pixel, fill_pixel, drain_pixel;
+    wire [3:0] read_count;
+    wire [ATTRIBUTE_BITS-1:0] out_attribute_0, write_attribute_0, pixel_attribute_0, fill_attribute_0, data_attribute_0, drained_attribute_0;
+    wire [27:0] data_weight, write_weight, pixel_weight, fill_weight, drained_weight;
+    wire [51:0] data_depth, write_depth, pixel_depth, fill_depth, drained_depth;
     `UNIT unit (
         .out_center_x(), .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(),
         .out_depth_low(), .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_bottom(),
@@ -45,9 +48,17 @@ module proof (input clk);
     wire [1:0] pixel_value = {pixel_weight[0], pixel_attribute_0[0]};
     wire [1:0] fill_value = {fill_weight[0], fill_attribute_0[0]};
 
-    (* anyconst *) reg [1:0] tile;
-    (* anyconst *) reg [5:0] pixel;
-    always @* assume (pixel >= FIRST_PIXEL);
+    // The pixels that samples come to, and the watched one of them.
+    localparam FIRST = 6'd0, SECOND = 6'd62, THIRD = 6'd63;
+    (* anyconst *) reg [1:0] tile, place;
+    wire [5:0] pixel = place == 0 ? FIRST : place == 1 ? SECOND : THIRD;
+    always @* assume (place < 3);
+    function [63:0] of_tile(input [2:0] places);
+        of_tile = {places[2:1], 61'd0, places[0]};
+    endfunction
+    function [2:0] places_of(input [63:0] mask);
+        places_of = {mask[63:62], mask[0]};
+    endfunction
 
     // Copies under way in each slot, and of which tile they are. The frame ends once all are done with.
     wire placed = out_valid && out_ready && !out_end;
@@ -70,55 +81,102 @@ module proof (input clk);
         assume (!frame_end || (ending && !sending && under_way[0] == 0 && under_way[1] == 0));
     end
 
-    // The watched pixel in the slots, in the buffer, and as it must be. A sample may come to any ready slot.
+    // What is carried out of what the unit wants of the slots.
+    reg [1:0] write_taken = 0;
+    always @(posedge clk) write_taken <= sample_writes & {2{!rst}};
+    wire changes = change_valid && !sample_reads[change_slot];
+    wire drains = drain_enable && !sample_reads[drain_slot];
+    wire fills = fill_valid && !write_taken[fill_slot];
+
+    // The watched pixel in the slots, in the buffer, and as it must be. A sample may come to any ready slot, and to any place in it.
     (* anyseq *) reg sampled, sampled_slot;
+    (* anyseq *) reg [1:0] sampled_place;
     reg held [0:SLOTS-1];
-    reg stored, must = 0;
+    reg [3:0] written [0:SLOTS-1], dirty [0:SLOTS-1];
+    reg [3:0] told_written, told_dirty;
+    wire [63:0] masks_written = of_tile(told_written[2:0]), masks_dirty = of_tile(told_dirty[2:0]);
+    reg stored, in_memory = 0, must = 0;
     // As it is sent; the next frame begins with its first copy.
     reg frame = 0, is_sent_off = 0;
-    reg shown, drained;
-    wire is_drained = drain_enable && drain_pixel == pixel;
-    wire is_filled = fill_valid && fill_pixel == pixel;
-    wire is_sampled = sampled && slot_ready[sampled_slot] && under_way[sampled_slot] != 0;
+    reg [1:0] shows = 0;
+    reg shown [0:1];
+    reg [5:0] shown_pixel [0:1];
+    wire is_filled = fills && fill_pixel == pixel;
+    wire samples = sampled && slot_ready[sampled_slot] && under_way[sampled_slot] != 0;
+    wire is_sampled = samples && sampled_place == place;
     wire is_own = is_sampled && slot_tile[sampled_slot] == tile;
     wire is_written = write_valid && write_ready && write_tile == tile && write_pixel == pixel;
+    always @* assume (sampled_place < 3);
     always @(posedge clk) if (!rst) begin
+        if (changes) begin
+            {told_written, told_dirty} <= {written[change_slot], dirty[change_slot]};
+            written[change_slot] <= {1'b0, places_of(change_held)};
+            dirty[change_slot] <= 0;
+        end
         if (is_filled) held[fill_slot] <= fill_value[0];
+        if (samples) begin
+            written[sampled_slot][sampled_place] <= 1;
+            dirty[sampled_slot][sampled_place] <= 1;
+        end
         if (is_sampled) held[sampled_slot] <= sample;
         if (is_own) must <= sample;
         else if (is_sent_off && placed) must <= 0;
         if (frame_end) frame <= must && !is_sent_off;
         is_sent_off <= frame_end || (is_sent_off && !placed);
         if (is_written) stored <= written_value[0];
-        // While the slot is ready its memory shows something else; a word that is written meanwhile is anything.
-        if (drain_enable) begin
-            shown <= is_drained && !slot_ready[drain_slot] && !(is_filled && fill_slot == drain_slot) ? held[drain_slot] : shown_any;
-            drained <= shown;
-        end
+        in_memory <= (in_memory || is_written) && !closes;
+        shows <= {shows[0], drains};
+        shown_pixel[0] <= drain_pixel;
+        shown_pixel[1] <= shown_pixel[0];
+        shown[0] <= drain_pixel == pixel ? held[drain_slot] : held_any;
+        shown[1] <= shown[0];
     end
-    assign drain_weight = {28{drained}}, drain_depth = {52{drained}}, drain_attribute_0 = {ATTRIBUTE_BITS{drained}};
+    wire drained_valid = shows[1];
+    wire [5:0] drained_pixel = shown_pixel[1];
+    assign drained_weight = {28{shown[1]}}, drained_depth = {52{shown[1]}}, drained_attribute_0 = {ATTRIBUTE_BITS{shown[1]}};
 
-    // The buffer's answers.
-    localparam PIXELS = 64 - FIRST_PIXEL;
+    // The buffer's answers: reads that it took, the oldest first.
     reg [1:0] owed = 0;
-    reg asked_value;
-    reg [1:0] asked_tile;
+    reg [3:0] came = 0;
+    reg asked_value [0:2];
+    reg [1:0] asked_tile [0:2];
+    reg [5:0] asked_pixel [0:2];
+    reg [3:0] asked_count [0:2];
     wire asks = read_valid && read_ready;
     wire answers = data_valid && data_ready;
-    wire is_answered = asked_tile == tile && 7'd64 - owed == pixel;
-    wire data = is_answered ? asked_value : data_any;
-    always @* assume (!data_valid || owed != 0);
+    wire last_answer = answers && came + 1 == asked_count[0];
+    wire is_answered = asked_tile[0] == tile && asked_pixel[0] + came == pixel;
+    wire data = is_answered ? asked_value[0] : data_any;
+    wire [1:0] left = owed - last_answer;
+    wire asks_for_it = asks && read_tile == tile && pixel >= read_pixel && pixel - read_pixel < read_count;
+    always @* begin
+        assume (!data_valid || owed != 0);
+        assume (!read_ready || owed != 3);
+    end
+    integer index;
     always @(posedge clk) if (!rst) begin
-        owed <= owed + (asks ? PIXELS : 0) - answers;
-        if (asks) {asked_tile, asked_value} <= {read_tile, stored};
+        owed <= left + asks;
+        came <= last_answer ? 0 : came + answers;
+        for (index = 0; index < 3; index = index + 1)
+            if (asks && left == index) begin
+                {asked_tile[index], asked_pixel[index], asked_count[index], asked_value[index]}
+                    <= {read_tile, read_pixel, read_count, stored};
+            end else if (last_answer && index < 2) begin
+                {asked_tile[index], asked_pixel[index], asked_count[index], asked_value[index]}
+                    <= {asked_tile[index+1], asked_pixel[index+1], asked_count[index+1], asked_value[index+1]};
+            end
     end
     assign data_weight = {28{data}}, data_depth = {52{data}}, data_attribute_0 = {ATTRIBUTE_BITS{data}};
 
 `ifdef STEADY
-    // All but the buffer's writes go on at once, and of each copy a sample comes when its slot is ready: so tiles leave and come back soon.
+    // All but the buffer's writes go on at once, samples have the banks in every second cycle, and of each copy a sample comes when its slot is ready: so tiles leave and come back soon.
+    (* anyseq *) reg first_go;
+    reg samples_go;
+    always @(posedge clk) samples_go <= rst ? first_go : !samples_go;
     wire [1:0] done = {slot_ready[1] && under_way[1] != 0, slot_ready[0] && under_way[0] != 0};
     always @* if (!rst) begin
-        assume (out_ready && read_ready && pixel_ready && in_valid && data_valid == (owed != 0));
+        assume (out_ready && read_ready == (owed != 3) && pixel_ready && in_valid && data_valid == (owed != 0));
+        assume (sample_reads == {2{samples_go}} && sample_writes == {2{samples_go}} && (!sampled || sampled_place != 1));
         assume (retire_valid == (done != 0) && retire_slot == !done[0]);
         assume (sampled == retire_valid && sampled_slot == retire_slot);
         assume (frame_end == (ending && !sending && under_way[0] == 0 && under_way[1] == 0));
@@ -128,35 +186,39 @@ module proof (input clk);
     // What of the frame was sent.
     reg seen = 0;
     reg [1:0] last_tile = 0;
+    reg [5:0] last_pixel = 0;
     wire sends = pixel_valid && pixel_ready && !pixel_end;
     wire is_sent = sends && pixel_tile == tile && pixel_pixel == pixel;
     always @(posedge clk) if (!rst) begin
         seen <= (seen || is_sent) && !closes;
-        last_tile <= closes ? 0 : sends ? pixel_tile : last_tile;
+        {last_tile, last_pixel} <= closes ? 0 : sends ? {pixel_tile, pixel_pixel} : {last_tile, last_pixel};
     end
 
     always @(posedge clk) if (!rst) begin
         // In a slot.
         one_tile_a_slot: assert (!(placed && under_way[out_slot] != 0) || slot_tile[out_slot] == out_tile);
         one_slot_a_tile: assert (!(placed && under_way[!out_slot] != 0) || slot_tile[!out_slot] != out_tile);
-        sample_finds_its_pixel: assert (!is_own || held[sampled_slot] == must);
-        stays_ready_0: assert (!(fill_valid && slot_ready[fill_slot]));
-        no_drain_of_samples: assert (!(drain_enable && under_way[drain_slot] != 0 && slot_ready[drain_slot]));
+        sample_finds_its_pixel: assert (!is_own || (written[sampled_slot][place] && held[sampled_slot]) == must);
+        fills_what_is_not_ready: assert (!(fill_valid && slot_ready[fill_slot]));
+        drains_what_is_not_ready: assert (!(drain_enable && slot_ready[drain_slot]));
+        changes_what_is_not_ready: assert (!(change_valid && slot_ready[change_slot]));
         fills_what_moves: assert (!is_filled || fill_value == {2{fill_value[0]}});
+        holds_no_more: assert (!change_valid || change_held == of_tile(places_of(change_held)));
         // In the buffer.
         writes_what_was_there: assert (!is_written || written_value == {2{must}});
-        one_read_at_a_time: assert (!asks || owed == 0);
+        asks_for_what_was_written: assert (!asks_for_it || in_memory);
+        asks_within_a_row: assert (!asks || (read_count != 0 && read_pixel[2:0] + read_count <= 8));
         // In the frame.
         sent_once: assert (!is_sent || (sending && !seen && frame && pixel_value == {2{frame}}));
         none_lost: assert (!closes || (sending && (seen || !frame)));
-        in_scan_order: assert (!sends || pixel_tile >= last_tile);
+        in_scan_order: assert (!sends || {pixel_tile, pixel_pixel} >= {last_tile, last_pixel});
     end
 
 `ifdef STEADY
-    // It goes on: a step is never more than PATIENCE cycles away. Of a frame of tiles that were not touched nothing shows for four times
-    // three cycles.
+    // It goes on: a step is never more than PATIENCE cycles away. Of a frame of tiles that nothing was drawn to nothing shows while their
+    // codes pass.
     localparam PATIENCE = 14;
-    wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fill_valid || drain_enable
+    wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains || changes
         || frame_end || (in_valid && in_ready) || (out_valid && out_ready);
     reg [5:0] stands = 0;
     always @(posedge clk) if (!rst) begin

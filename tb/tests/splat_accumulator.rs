@@ -1,6 +1,6 @@
 //! `splat_accumulator` against its model, in every cycle, in a closed loop with a tile cache.
 
-use pointcore::splat::mask::DrainedPixel;
+use pointcore::splat::mask::HeldBefore;
 use pointcore_contract::splat::{AttributeFormat, units};
 use pointcore_golden::splat::Accumulator;
 use pointcore_golden::unit::Ported;
@@ -16,9 +16,9 @@ fn it_agrees_with_the_model() {
         let device = Device::new(&config, &accumulator::module(&config), &units::accumulator::UNIT);
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::Accumulator, &device);
-            let drained = DrainedPixel::new(&config, &device.outputs());
-            let golden = device.golden(Ported::new(&config, drained.watch(Accumulator::new(&config))));
-            let run = Lockstep::new(device.library(), golden, seed).mask(drained.mask()).run(drive);
+            let held = HeldBefore::new(&config, &device.outputs());
+            let golden = device.golden(Ported::new(&config, held.watch(Accumulator::new(&config))));
+            let run = Lockstep::new(device.library(), golden, seed).mask(held.mask()).run(drive);
             let run = run.unwrap_or_else(|error| panic!("{error}"));
             let counts = run.stimulus.exchange.counts;
             assert!(counts.accumulated > 1500 && counts.hazards > 100 && counts.slot_waits > 100, "{counts:?}");

@@ -1,7 +1,7 @@
 //! `splat_collector` against its model, in every cycle.
 
-use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
+use pointcore_contract::splat::config::RUN_PIXELS_MAX;
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::{read, words};
 use pointcore_golden::splat::Collector;
@@ -12,7 +12,7 @@ use pointcore_tb::lockstep::{Stall, StreamTestbench, seeds};
 use crate::splat::{Device, RUNS, Travels, configs, scene, stalls};
 
 /// Of a side.
-const READS: u32 = 20;
+const READS: u32 = 120;
 const WRITES: u32 = 700;
 const PIXELS: usize = 600;
 /// Pixels of a side's frame, its end among them.
@@ -29,16 +29,18 @@ fn noise<R: Travels>(config: &Config, count: usize, mut change: impl FnMut(usize
     (0..count).map(record).collect()
 }
 
-/// Tiles that tell the side by their lowest bit.
-fn tiles(config: &Config, side: u32) -> Vec<Vec<u64>> {
-    (0..READS).map(|number| words(config, Tile { tile: 2 * (number % 8) + side })).collect()
+/// Runs of pixels of tiles that tell the side by their lowest bit.
+fn runs(side: u32) -> impl Iterator<Item = PixelRun> {
+    let count = move |number: u32| ((number * (5 + side)) % RUN_PIXELS_MAX) as u8 + 1;
+    (0..READS).map(move |number| PixelRun { tile: 2 * (number % 8) + side, pixel: 0, count: count(number) })
 }
 
 #[test]
 fn it_agrees_with_the_model_and_nothing_is_lost() {
     for config in configs() {
         let device = Device::new(&config, &collector::module(&config), &units::collector::UNIT);
-        let data = noise::<Pixel>(&config, (2 * READS * TILE_PIXELS) as usize, |_, _| {});
+        let pixels: usize = runs(0).chain(runs(1)).map(|run| usize::from(run.count)).sum();
+        let data = noise::<Pixel>(&config, pixels, |_, _| {});
         let mut waited = false;
         for seed in seeds(RUNS).unwrap() {
             let mut bench = StreamTestbench::new(device.library(), seed).source("data", data.clone(), stalls(seed)).unwrap();
@@ -47,7 +49,7 @@ fn it_agrees_with_the_model_and_nothing_is_lost() {
                 let mark = |_, pixel: &mut PlacedPixel| pixel.tile = pixel.tile & !1 | side;
                 let of = |what: &str| format!("{name}_{what}");
                 let pattern = stalls(seed + u64::from(side));
-                bench = bench.source(&of("read"), tiles(&config, side), Stall::Random(0.9)).unwrap();
+                bench = bench.source(&of("read"), runs(side).map(|run| words(&config, run)).collect(), Stall::Random(0.9)).unwrap();
                 bench = bench.source(&of("write"), noise(&config, WRITES as usize, mark), pattern).unwrap();
                 bench = bench.source(&of("pixel"), noise(&config, PIXELS, end), pattern).unwrap();
                 bench = bench.sink(&of("data"), pattern).unwrap();
@@ -59,12 +61,15 @@ fn it_agrees_with_the_model_and_nothing_is_lost() {
             let run = device.lockstep(model, seed).run(bench).unwrap_or_else(|error| panic!("{error}"));
 
             let collected = |name: &str| run.stimulus.collected(name);
-            let sides: Vec<u32> = collected("read").iter().map(|words| read::<Tile>(&config, words).tile & 1).collect();
+            let runs = collected("read").iter().map(|words| read::<PixelRun>(&config, words));
+            let (sides, counts): (Vec<u32>, Vec<u8>) = runs.map(|run| (run.tile & 1, run.count)).unzip();
+            let owners = sides.iter().zip(&counts).flat_map(|(side, count)| vec![*side; usize::from(*count)]);
+            let owners: Vec<u32> = owners.collect();
             assert_eq!(sides.len(), 2 * READS as usize);
             waited |= sides.windows(3).any(|sides| sides == [0, 0, 1]) && sides.windows(3).any(|sides| sides == [1, 0, 1]);
             for (side, name) in (0..).zip(["low_data", "high_data"]) {
-                let of_side = data.chunks(TILE_PIXELS as usize).zip(&sides).filter(|(_, of)| **of == side);
-                assert!(collected(name).iter().eq(of_side.flat_map(|(pixels, _)| pixels)), "{name}, seed {seed}");
+                let of_side = data.iter().zip(&owners).filter(|(_, owner)| **owner == side).map(|(pixel, _)| pixel);
+                assert!(collected(name).iter().eq(of_side), "{name}, seed {seed}");
             }
             assert_eq!(collected("write").len(), 2 * WRITES as usize);
             let ends = collected("pixel").iter().filter(|words| read::<FinishedPixel>(&config, words).end).count();

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, SplatCopy};
+use pointcore_contract::splat::records::{Pixel, PixelRun, SplatCopy};
 use pointcore_contract::splat::{Config, units};
 use pointcore_contract::words;
 use pointcore_golden::splat::lane::{In, Lane};
@@ -88,7 +88,8 @@ impl Loop {
             self.counts[0] += 1;
         }
         if let Some(read) = out.read.filter(|_| read_ready) {
-            self.beats.extend(self.tiles[read.tile as usize]);
+            let PixelRun { tile, pixel, count } = read;
+            self.beats.extend(&self.tiles[tile as usize][usize::from(pixel)..][..usize::from(count)]);
         }
         if let Some(placed) = out.write.filter(|_| write_ready) {
             self.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;

@@ -30,8 +30,16 @@ pub const PLACED_QUEUE_DEPTH: u32 = 16;
 pub const COPY_QUEUE_DEPTH: u32 = 64;
 /// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
 pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
+/// Memories that the tile slots share: slots take turns in them.
+pub const SLOT_BANKS: u32 = 2;
+/// The most pixels of a run: it stays within a row of its tile.
+pub const RUN_PIXELS_MAX: u32 = TILE_SIZE;
+/// Runs of pixels that may be asked for and not have come: enough for memory's latency where runs are short.
+pub const RUNS_ASKED_MAX: u32 = 32;
+/// Pixels of evicted tiles that may be read and not be written yet.
+pub const WRITE_QUEUE_DEPTH: u32 = 8;
 /// Reads of which pixels are still to come, where several rasterizers share a memory.
-pub const COLLECTED_READS: u32 = 8;
+pub const COLLECTED_READS: u32 = 32;
 /// Bits of the counter of copies under way in one tile slot.
 pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.

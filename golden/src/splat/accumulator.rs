@@ -2,16 +2,18 @@
 //!
 //! Weights and depths are summed as exact integers, attributes as their [format](super::attribute) has it, stored operand first. A blend
 //! whose weight sum would overflow changes nothing. A sample waits while an earlier one of the same pixel is under way, so that the
-//! sums depend on the order of samples alone.
+//! sums depend on the order of samples alone. A pixel that nothing was written to since its tile came is zeros.
 
 use super::attribute::Arithmetic;
 use super::depth_test;
+use super::tile_cache::bank;
 use crate::stream::Fifo;
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::records::{Fill, Slot, SlotPixel};
-use pointcore_contract::splat::records::{Pixel, WeightedSample};
+use pointcore_contract::splat::records::{
+    DrainedPixel, Fill, Pixel, SamplePlace, Slot, SlotChange, SlotMasks, SlotPixel, WeightedSample,
+};
 use pointcore_contract::splat::units::AccumulatorEvents;
 pub use pointcore_contract::splat::units::accumulator::{In, Out};
 use std::collections::VecDeque;
@@ -21,8 +23,8 @@ const WEIGHT_SUM_MAX: u32 = (1 << WEIGHT_SUM_BITS) - 1;
 /// A sample under way.
 #[derive(Clone, Copy, Debug)]
 struct Stage {
-    /// The pixel's index in the slots, if the sample lies inside its splat.
-    index: Option<usize>,
+    /// The pixel, if the sample lies inside its splat.
+    place: Option<SlotPixel>,
     retire: Option<Slot>,
     /// The pixel's new value, if it changes.
     result: Option<Pixel>,
@@ -38,15 +40,18 @@ pub struct Accumulator {
     head: Option<WeightedSample>,
     /// [`In::slot_ready`] of the cycle before.
     slot_ready: u64,
-    /// The pixels of all slots.
+    /// The pixels of all slots, and which of them count.
     pixels: Vec<Pixel>,
+    held: Vec<SlotMasks>,
+    /// What the slot that changed last held before.
+    masks: SlotMasks,
     /// Front: the sample issued last. As many as a sum takes, and one that writes.
     stages: VecDeque<Option<Stage>>,
     retire: Option<Slot>,
     frame_end: bool,
-    /// The pixel that was read last for the tile cache, and the one before.
-    read: Pixel,
-    drained: Pixel,
+    /// The pixels that were read for the tile cache in the cycle before, and in the one before that.
+    read: Option<DrainedPixel>,
+    drained: Option<DrainedPixel>,
     events: AccumulatorEvents,
 }
 
@@ -61,29 +66,51 @@ impl Accumulator {
             head: None,
             slot_ready: 0,
             pixels: vec![Pixel::default(); (config.tile_slots * TILE_PIXELS) as usize],
+            held: vec![SlotMasks::default(); config.tile_slots as usize],
+            masks: SlotMasks::default(),
             stages: vec![None; config.accumulate_stages as usize + 1].into(),
             retire: None,
             frame_end: false,
-            read: Pixel::default(),
-            drained: Pixel::default(),
+            read: None,
+            drained: None,
             events: AccumulatorEvents::default(),
         }
+    }
+
+    /// The slot that the sample at the head reads, unless it waits for another sample.
+    fn reads(&self) -> Option<u8> {
+        let place = &self.head.as_ref()?.place;
+        let reads = place.inside && !place.end && self.slot_ready >> place.slot & 1 == 1;
+        reads.then_some(place.slot)
     }
 
     /// Whether the sample at the head waits, and for what.
     fn stall(&self, sample: &WeightedSample) -> AccumulatorEvents {
         let place = &sample.place;
-        let index = index(place.slot, place.pixel);
+        let pixel = SlotPixel { slot: place.slot, pixel: place.pixel };
         let slot_wait = place.inside && self.slot_ready >> place.slot & 1 == 0;
-        let hazard = place.inside && !slot_wait && self.stages.iter().flatten().any(|stage| stage.index == Some(index));
+        let meets = || self.stages.iter().flatten().any(|stage| stage.place == Some(pixel));
+        let hazard = place.inside && !slot_wait && meets();
         AccumulatorEvents { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
     }
 
-    fn start(&self, sample: &WeightedSample) -> Stage {
-        let place = &sample.place;
-        let index = place.inside.then(|| index(place.slot, place.pixel));
-        let result = index.and_then(|index| self.accumulate(&self.pixels[index], sample));
-        Stage { index, retire: place.last.then_some(Slot { slot: place.slot }), result }
+    fn start(&mut self, sample: &WeightedSample) -> Stage {
+        let SamplePlace { inside, last, slot, pixel, .. } = sample.place;
+        let place = inside.then_some(SlotPixel { slot, pixel });
+        let result = place.and_then(|place| {
+            let held = &mut self.held[usize::from(slot)];
+            let is_written = held.written >> pixel & 1 == 1;
+            held.written |= 1 << pixel;
+            held.dirty |= 1 << pixel;
+            let stored = if is_written { self.pixels[index(place)] } else { Pixel::default() };
+            self.accumulate(&stored, sample)
+        });
+        Stage { place, retire: last.then_some(Slot { slot }), result }
+    }
+
+    /// The slot that the sample in a stage changes, if it does.
+    fn slot_in(stage: Option<&Option<Stage>>) -> Option<u8> {
+        Some(stage?.as_ref()?.place?.slot)
     }
 
     /// The pixel with the sample in it; `None` if it does not change.
@@ -121,8 +148,8 @@ impl Accumulator {
     }
 }
 
-fn index(slot: u8, pixel: u8) -> usize {
-    usize::from(slot) * TILE_PIXELS as usize + usize::from(pixel)
+fn index(place: SlotPixel) -> usize {
+    usize::from(place.slot) * TILE_PIXELS as usize + usize::from(place.pixel)
 }
 
 impl Model for Accumulator {
@@ -135,6 +162,9 @@ impl Model for Accumulator {
             in_ready: self.input.in_ready(),
             retire: self.retire,
             frame_end: self.frame_end,
+            masks: self.masks,
+            sample_writes: Self::slot_in(self.stages.iter().rev().nth(1)).map_or(0, bank),
+            sample_reads: self.reads().map_or(0, bank),
             drained: self.drained,
             events: self.events,
         }
@@ -145,28 +175,24 @@ impl Model for Accumulator {
         self.events = AccumulatorEvents::default();
         let mut issued = false;
         let mut started = None;
-        if let Some(sample) = &self.head {
+        let reads = self.reads();
+        if let Some(sample) = self.head {
             if sample.place.end {
                 issued = self.stages.iter().all(Option::is_none);
                 self.frame_end = issued;
             } else {
-                self.events = self.stall(sample);
+                self.events = self.stall(&sample);
                 issued = !self.events.hazard && !self.events.slot_wait;
-                started = issued.then(|| self.start(sample));
+                started = issued.then(|| self.start(&sample));
             }
         }
-        if let Some(SlotPixel { slot, pixel }) = inputs.drain {
-            self.drained = std::mem::replace(&mut self.read, self.pixels[index(slot, pixel)]);
-        }
+        self.exchange(inputs, reads);
 
         let finished = self.stages.pop_back().flatten();
         self.stages.push_front(started);
         self.retire = finished.and_then(|stage| stage.retire);
-        if let Some(Stage { index: Some(index), result: Some(result), .. }) = finished {
-            self.pixels[index] = result;
-        }
-        if let Some(Fill { place, value }) = inputs.fill {
-            self.pixels[index(place.slot, place.pixel)] = value;
+        if let Some(Stage { place: Some(place), result: Some(result), .. }) = finished {
+            self.pixels[index(place)] = result;
         }
         self.slot_ready = inputs.slot_ready;
         let taken = issued || self.head.is_none();
@@ -177,10 +203,26 @@ impl Model for Accumulator {
     }
 }
 
+impl Accumulator {
+    /// What the tile cache asks of the slots, as far as samples leave their banks to it: `reads` is the slot that one reads.
+    fn exchange(&mut self, inputs: &In, reads: Option<u8>) {
+        let is_left = |slot: u8, sample: Option<u8>| sample.is_none_or(|sample| bank(sample) != bank(slot));
+        self.drained = self.read;
+        let drain = inputs.drain.filter(|drain| is_left(drain.slot, reads));
+        self.read = drain.map(|place| DrainedPixel { pixel: place.pixel, value: self.pixels[index(place)] });
+        let writes = Self::slot_in(self.stages.back());
+        if let Some(Fill { place, value }) = inputs.fill.filter(|fill| is_left(fill.place.slot, writes)) {
+            self.pixels[index(place)] = value;
+        }
+        if let Some(SlotChange { slot, held }) = inputs.change.filter(|change| is_left(change.slot, reads)) {
+            self.masks = std::mem::replace(&mut self.held[usize::from(slot)], SlotMasks { written: held, dirty: 0 });
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::splat::records::SamplePlace;
 
     /// A sample whose ε-band reaches 100 to either side.
     fn sample(pixel: u8, weight: u16, depth: u32) -> WeightedSample {
@@ -203,7 +245,7 @@ mod tests {
             retired.extend(out.retire.map(|_| cycle));
             seen.hazard |= out.events.hazard;
             seen.slot_wait |= out.events.slot_wait;
-            unit.clock(&In { input, slot_ready: u64::from(cycle >= ready_from) << 1, fill: None, drain: None });
+            unit.clock(&In { input, slot_ready: u64::from(cycle >= ready_from) << 1, ..In::default() });
             if out.in_ready {
                 input = samples.next();
             }
@@ -233,7 +275,7 @@ mod tests {
     fn pixels_are_blended_replaced_and_kept() {
         let pixel = |samples: &[WeightedSample]| {
             let unit = run(&config(), samples, 0).0;
-            let Pixel { weight, depth, peak, attributes } = unit.pixels[index(1, 9)];
+            let Pixel { weight, depth, peak, attributes } = unit.pixels[index(SlotPixel { slot: 1, pixel: 9 })];
             (weight, depth, peak, attributes[0], attributes[1])
         };
         let base = [sample(9, 10, 1000), sample(9, 20, 1050)];
@@ -282,7 +324,7 @@ mod tests {
             retired = out.retire.map(|_| cycle).or(retired);
             ended = if out.frame_end { Some(cycle) } else { ended };
             let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
-            unit.clock(&In { input, slot_ready: 2, fill: None, drain: None });
+            unit.clock(&In { input, slot_ready: 2, ..In::default() });
         }
         assert_eq!((retired, ended), (Some(10), Some(11)), "all stages are empty when the last sample retires");
     }

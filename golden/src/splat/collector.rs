@@ -6,8 +6,8 @@
 use crate::stream::{Fifo, Skid};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{COLLECTED_READS, TILE_PIXELS};
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::config::COLLECTED_READS;
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
 pub use pointcore_contract::splat::units::collector::{In, Out};
 
 /// What two sides take turns at.
@@ -46,14 +46,14 @@ impl<T> Shared<T> {
 /// The collector.
 #[derive(Clone, Debug)]
 pub struct Collector {
-    read: Shared<Tile>,
+    read: Shared<PixelRun>,
     write: Shared<PlacedPixel>,
     pixel: Shared<FinishedPixel>,
-    /// The sides that data are for, in order.
-    order: Fifo<usize>,
+    /// The sides that data are for, in order, and how many each.
+    order: Fifo<(usize, u8)>,
     data: Skid<Pixel>,
     /// Pixels of the first of them that came.
-    came: u32,
+    came: u8,
     /// Sides whose frame has ended.
     ended: [bool; 2],
 }
@@ -93,7 +93,8 @@ impl Model for Collector {
         let [low_read_ready, high_read_ready] = self.read.ready(self.may_read());
         let [low_write_ready, high_write_ready] = self.write.ready(true);
         let [low_pixel_ready, high_pixel_ready] = self.pixel.ready(self.has_pixels());
-        let data_for = |side| self.data.out().copied().filter(|_| self.order.out() == Some(&side));
+        let data_for =
+            |side| self.data.out().copied().filter(|_| self.order.out().is_some_and(|(first, _)| *first == side));
         Out {
             low_read_ready,
             low_data: data_for(0),
@@ -113,13 +114,16 @@ impl Model for Collector {
     fn clock(&mut self, inputs: &In) {
         let Out { low_data, high_data, .. } = self.outputs();
         let goes_on = low_data.is_some() && inputs.low_data_ready || high_data.is_some() && inputs.high_data_ready;
-        let is_last = goes_on && self.came == TILE_PIXELS - 1;
-        self.came = (self.came + u32::from(goes_on)) % TILE_PIXELS;
+        self.came += u8::from(goes_on);
+        let is_last = self.order.out().is_some_and(|(_, count)| *count == self.came);
+        if is_last {
+            self.came = 0;
+        }
         self.data.step(inputs.data, goes_on);
 
         let read = self.read.take(self.may_read(), [inputs.low_read, inputs.high_read]);
-        self.order.step(read.map(|(side, _)| side), is_last);
-        self.read.out.step(read.map(|(_, tile)| tile), inputs.read_ready);
+        self.order.step(read.map(|(side, run)| (side, run.count)), is_last);
+        self.read.out.step(read.map(|(_, run)| run), inputs.read_ready);
         let written = self.write.take(true, [inputs.low_write, inputs.high_write]);
         self.write.out.step(written.map(|(_, pixel)| pixel), inputs.write_ready);
 
@@ -178,14 +182,16 @@ mod tests {
         let mut seen = vec![];
         for cycle in 0..400 {
             let out = unit.outputs();
-            let offers = |side: usize| (cycle > 2 && !asked[side]).then_some(Tile { tile: side as u32 });
+            let offers = |side: usize| {
+                (cycle > 2 && !asked[side]).then_some(PixelRun { tile: side as u32, pixel: 0, count: 3 + side as u8 })
+            };
             let inputs = In {
                 low_write: (cycle < 2).then_some(write),
                 write_ready: cycle > 20,
                 low_read: offers(0),
                 high_read: offers(1),
                 read_ready: true,
-                data: (seen.len() == 2).then_some(Pixel { weight: cycle, ..Pixel::default() }),
+                data: (seen.len() == 2 && came != [3, 4]).then_some(Pixel { weight: cycle, ..Pixel::default() }),
                 low_data_ready: true,
                 high_data_ready: cycle % 3 == 0,
                 ..In::default()
@@ -196,13 +202,13 @@ mod tests {
             }
             asked[0] |= inputs.low_read.is_some() && out.low_read_ready;
             asked[1] |= inputs.high_read.is_some() && out.high_read_ready;
-            came[0] += u32::from(out.low_data.is_some());
-            came[1] += u32::from(out.high_data.is_some() && inputs.high_data_ready);
+            came[0] += usize::from(out.low_data.is_some());
+            came[1] += usize::from(out.high_data.is_some() && inputs.high_data_ready);
             if let [first, _] = seen[..] {
-                assert!(came[1 - first] == 0 || came[first] == TILE_PIXELS);
+                assert!(came[1 - first] == 0 || came[first] == 3 + first);
             }
             unit.clock(&inputs);
         }
-        assert_eq!(came, [TILE_PIXELS; 2]);
+        assert_eq!(came, [3, 4]);
     }
 }

@@ -99,6 +99,9 @@ impl Lane {
             number: inputs.number,
             retire: accumulator.retire,
             frame_end: accumulator.frame_end,
+            masks: accumulator.masks,
+            sample_writes: accumulator.sample_writes,
+            sample_reads: accumulator.sample_reads,
             drained: accumulator.drained,
         });
         self.rasterizer.clock(&rasterizer::In {
@@ -110,6 +113,7 @@ impl Lane {
         self.accumulator.clock(&accumulator::In {
             input: weighting.out,
             slot_ready: tile_cache.slot_ready,
+            change: tile_cache.change,
             fill: tile_cache.fill,
             drain: tile_cache.drain,
         });

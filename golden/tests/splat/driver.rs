@@ -151,7 +151,7 @@ impl Bench {
             let inputs = In {
                 uniform: None,
                 splat: if splat { splats.peek().copied() } else { None },
-                read_ready: read && self.memory.beats.is_empty(),
+                read_ready: read,
                 data: if data { self.memory.beats.front().copied() } else { None },
                 write_ready: write,
                 fragment_ready: fragment,
@@ -166,7 +166,8 @@ impl Bench {
                 patience = PATIENCE;
             }
             if let Some(read) = out.read.filter(|_| inputs.read_ready) {
-                self.memory.beats.extend(self.memory.tiles[read.tile as usize]);
+                let run = usize::from(read.pixel)..usize::from(read.pixel + read.count);
+                self.memory.beats.extend(&self.memory.tiles[read.tile as usize][run]);
             }
             if let Some(placed) = out.write.filter(|_| inputs.write_ready) {
                 self.memory.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;

@@ -8,7 +8,7 @@ use pointcore_contract::bus::registers::{
     UniformBits,
 };
 use pointcore_contract::bus::units::window_bits;
-use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::config::{RUN_PIXELS_MAX, TILE_PIXELS};
 use pointcore_contract::{fields, places, record, search, splat};
 use pointcore_hdl::bus::cores::buffer;
 use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
@@ -102,11 +102,11 @@ fn memory() -> Vec<Proof> {
     ]
 }
 
-/// The renderer's buffer: with as many pixels in a tile, bursts and writes under way as in the top, a tile read in one burst and in two;
+/// The renderer's buffer: with as many pixels in a tile and in a read, bursts and writes under way as in the top; with reads of two bursts;
 /// and small, for what depends on addresses and for what waits.
 fn buffers() -> [Proof; 4] {
     const TILE_BITS: u32 = 2;
-    let buffer = |name, bits: u32, tile_pixels: u32, limit: u32| {
+    let buffer = |name, bits: u32, [tile_pixels, run_pixels]: [u32; 2], limit: u32| {
         let sizes = [
             ("BITS", bits),
             ("BEATS", 8 * STRIDE / bits),
@@ -114,13 +114,15 @@ fn buffers() -> [Proof; 4] {
             ("TILE_BITS", TILE_BITS),
             ("TILE_PIXELS", tile_pixels),
             ("PIXEL_BITS", tile_pixels.ilog2()),
+            ("RUN_PIXELS", run_pixels),
+            ("RUN_BITS", u32::BITS - run_pixels.leading_zeros()),
         ];
-        Proof::new(name, buffer::alone::<Gaps>(&None, bits, TILE_BITS, tile_pixels, limit), &sizes)
+        Proof::new(name, buffer::alone::<Gaps>(&None, bits, TILE_BITS, [tile_pixels, run_pixels], limit), &sizes)
     };
-    let small = |name, flag| Proof { flags: vec![flag], ..buffer(name, 128, 2, 2) };
+    let small = |name, flag| Proof { flags: vec![flag], ..buffer(name, 128, [4, 2], 2) };
     [
-        buffer("splat_buffer", 64, TILE_PIXELS, WRITES_MAX),
-        buffer("splat_buffer_split", 32, 2 * TILE_PIXELS, WRITES_MAX),
+        buffer("splat_buffer", 64, [TILE_PIXELS, RUN_PIXELS_MAX], WRITES_MAX),
+        buffer("splat_buffer_split", 32, [2 * TILE_PIXELS; 2], WRITES_MAX),
         small("splat_buffer_addresses", "ADDRESSES"),
         small("splat_buffer_waits", "WAITS"),
     ]

@@ -2,8 +2,9 @@
 
 use super::Proof;
 use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
-use pointcore_contract::splat::config::{Reordering, TILE_PIXELS};
+use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{Config, Feature};
+use pointcore_hdl::splat::tile_cache::Depths;
 use pointcore_hdl::splat::{accumulator, heap, reorder, tile_cache};
 
 /// An image of two by two tiles.
@@ -29,13 +30,12 @@ fn heaps() -> [Proof; 3] {
     [heap("splat_heap", 2, 2, 2), heap("splat_heap_slow", 2, 4, 2), heap("splat_heap_deep", 3, 2, 3)]
 }
 
-/// A cache of two slots for four tiles, of which it moves the last two pixels, with neighbors of all kinds and with some that never wait.
+/// A cache of two slots for four tiles, with short queues, with neighbors of all kinds and with some that never wait.
 fn tile_caches() -> [Proof; 2] {
-    const FIRST_PIXEL: u32 = TILE_PIXELS - 2;
-    const AHEAD: u32 = 2;
+    const DEPTHS: Depths = Depths { placed: 2, asked: 2, written: 2 };
     let config = Config { tile_slots: 2, ..copies() };
-    let sizes = [("FIRST_PIXEL", FIRST_PIXEL), ("ATTRIBUTE_BITS", config.attribute.width())];
-    let cache = |name| Proof::new(name, tile_cache::sized(&config, FIRST_PIXEL, AHEAD), &sizes);
+    let sizes = [("ATTRIBUTE_BITS", config.attribute.width())];
+    let cache = |name| Proof::new(name, tile_cache::sized(&config, DEPTHS), &sizes);
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
 }
 

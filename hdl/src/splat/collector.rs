@@ -2,8 +2,8 @@
 //! `pointcore_golden::splat::collector`.
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{COLLECTED_READS, TILE_PIXELS};
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::config::COLLECTED_READS;
+use pointcore_contract::splat::records::{FinishedPixel, LOCAL_BITS, Pixel, PixelRun, PlacedPixel, RUN_BITS};
 use pointcore_contract::splat::units::collector::PORTS;
 use pointcore_contract::unit::In;
 use pointcore_contract::{Record, record};
@@ -12,13 +12,16 @@ use crate::stream::{fifo_distributed, skid};
 use crate::units::ports::{QueueOut, StreamInPorts, StreamOutPorts};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Wired, layout};
-use rtl::{Expr, Module};
+use rtl::{Expr, Module, lit};
 
-/// The side that a read came from.
+/// Pixels that are to come.
 #[record(config: Config)]
-struct Side {
-    /// It is that of the higher numbers.
+struct Awaited {
+    /// They are for the side of the higher numbers.
     is_high: bool,
+    /// How many.
+    #[bits(RUN_BITS)]
+    count: u8,
 }
 
 /// What moves from one of the sides.
@@ -49,13 +52,14 @@ fn take<R: Record<Config = Config>>(
 /// Leads requests to the memory, and data to the sides in their order.
 fn reads(m: &mut Module, config: &Config, writes: Expr) {
     let read = PORTS.read.queue(m, config);
-    let queue = fifo_distributed(COLLECTED_READS, &layout::<Side>(config));
-    let (order, awaited) = Pushed::<Side>::place(m, config, "order", queue);
+    let queue = fifo_distributed(COLLECTED_READS, &layout::<Awaited>(config));
+    let (order, awaited) = Pushed::<Awaited>::place(m, config, "order", queue);
     // A read must find in memory what was written before it.
     let room = (read.room & order.room) & !writes;
-    let request = take::<Tile>(m, config, "read", [PORTS.low_read, PORTS.high_read], |_| room);
+    let request = take::<PixelRun>(m, config, "read", [PORTS.low_read, PORTS.high_read], |_| room);
     read.push(m, config, request.moves, request.record);
-    order.push(m, config, request.moves, Side { is_high: request.is_high });
+    let run = Awaited { is_high: request.is_high, count: request.record.count };
+    order.push(m, config, request.moves, run);
 
     let data = PORTS.data.declare(m, config).through(m, config, "data_queue", skid(&layout::<Pixel>(config)));
     let is_high = awaited.record.is_high;
@@ -64,10 +68,12 @@ fn reads(m: &mut Module, config: &Config, writes: Expr) {
     let high = PORTS.high_data.drive(m, config, shows & is_high, data.record);
     let taken = m.wire("data_taken", awaited.valid & is_high.mux(high, low));
     m.drive(data.ready, taken);
-    let came = m.reg_reset("came", TILE_PIXELS.ilog2(), 0);
+    let came = m.reg_reset("came", LOCAL_BITS, 0);
     let comes = m.wire("data_comes", taken & data.valid);
-    m.next_if(came, comes, came.add_lit(1));
-    m.drive(awaited.ready, comes & came.all());
+    let count = m.wire("came_now", came.zext(RUN_BITS).add_lit(1));
+    let is_last = m.wire("is_last", comes & count.eq(awaited.record.count));
+    m.next_if(came, comes, is_last.mux(lit(LOCAL_BITS, 0), count.trunc(LOCAL_BITS)));
+    m.drive(awaited.ready, is_last);
 }
 
 /// Leads finished pixels into one stream, which ends when both sides have.

@@ -23,10 +23,16 @@ fn slots(m: &mut Module, config: &Config, [cache, slots]: [Instance; 2]) {
     use units::{accumulator, tile_cache};
     let ready = tile_cache::PORTS.slot_ready.word_of(m, cache);
     accumulator::PORTS.slot_ready.feed_word(m, slots, ready);
+    pulse(m, config, (cache, tile_cache::PORTS.change), (slots, accumulator::PORTS.change));
+    let masks = accumulator::PORTS.masks.of(m, config, slots);
+    tile_cache::PORTS.masks.feed(m, config, cache, masks);
     pulse(m, config, (cache, tile_cache::PORTS.fill), (slots, accumulator::PORTS.fill));
+    let writes = accumulator::PORTS.sample_writes.word_of(m, slots);
+    tile_cache::PORTS.sample_writes.feed_word(m, cache, writes);
     pulse(m, config, (cache, tile_cache::PORTS.drain), (slots, accumulator::PORTS.drain));
-    let drained = accumulator::PORTS.drained.of(m, config, slots);
-    tile_cache::PORTS.drained.feed(m, config, cache, drained);
+    let reads = accumulator::PORTS.sample_reads.word_of(m, slots);
+    tile_cache::PORTS.sample_reads.feed_word(m, cache, reads);
+    pulse(m, config, (slots, accumulator::PORTS.drained), (cache, tile_cache::PORTS.drained));
     pulse(m, config, (slots, accumulator::PORTS.retire), (cache, tile_cache::PORTS.retire));
     let frame_end = accumulator::PORTS.frame_end.word_of(m, slots);
     tile_cache::PORTS.frame_end.feed_word(m, cache, frame_end);

@@ -1,7 +1,7 @@
 //! The host around the renderer: writes uniforms, sends splats, plays the reconstruction buffer, collects fragments, counts.
 
 use super::encode::EncodedFrame;
-use super::memory::{BufferTraffic, PixelRun, ReconstructionBuffer};
+use super::memory::{BufferTraffic, ReconstructionBuffer};
 use crate::generated::Progress;
 use crate::memory::MemorySettings;
 use pointcore_contract::splat::Config;
@@ -146,7 +146,7 @@ impl<'a> SplatHost<'a> {
     fn account(&mut self, cycle: u64, outputs: &Out) -> bool {
         self.sent += usize::from(self.inputs.splat.is_some() && outputs.splat_ready);
         if let Some(read) = outputs.read.filter(|_| self.inputs.read_ready) {
-            self.buffer.request(PixelRun::whole(read.tile), cycle);
+            self.buffer.request(read, cycle);
         }
         if self.inputs.data.is_some() && outputs.data_ready {
             self.buffer.take();

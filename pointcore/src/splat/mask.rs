@@ -1,8 +1,8 @@
 //! What a comparison of the renderer's units leaves open.
 
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::SLOT_BANKS;
 use pointcore_contract::splat::units::accumulator::{self, In, Out};
-use pointcore_contract::unit::Kind;
 use pointcore_contract::{Direction, Interface};
 use pointcore_golden::unit::Model;
 use std::sync::Arc;
@@ -50,15 +50,14 @@ pub fn end_records(
     }
 }
 
-/// The mask of the accumulator: a drained pixel shows from the cycle after its slot's next drain until the slot is ready again,
-/// when samples read it; one that is filled in the cycle in which it is drained does not. Inputs decide, so it watches what the
-/// model sees.
-pub struct DrainedPixel {
-    pixel: Vec<usize>,
+/// The mask of the accumulator: what a slot held before its first tile is anything, and shows when it gets that one. Inputs decide, so
+/// it watches what the model sees.
+pub struct HeldBefore {
+    masks: Vec<usize>,
     shows: Arc<AtomicBool>,
 }
 
-impl DrainedPixel {
+impl HeldBefore {
     /// For an accumulator whose outputs come in this order.
     ///
     /// # Panics
@@ -66,17 +65,15 @@ impl DrainedPixel {
     #[must_use]
     pub fn new(config: &Config, outputs: &[String]) -> Self {
         let interface = (accumulator::UNIT.interface)(config);
-        let name = accumulator::PORTS.drained.name;
-        // The port that asks for a pixel has the same name.
-        let drained = interface.groups.iter().find(|group| group.name == name && group.kind == Kind::Output);
-        let group = drained.expect("an accumulator shows drained pixels");
-        let pixel = group.fields.iter().map(|field| place(outputs, &group.port_name(&field.name))).collect();
-        Self { pixel, shows: Arc::default() }
+        let name = accumulator::PORTS.masks.name;
+        let group = interface.groups.iter().find(|group| group.name == name).expect("an accumulator shows masks");
+        let masks = group.fields.iter().map(|field| place(outputs, &group.port_name(&field.name))).collect();
+        Self { masks, shows: Arc::default() }
     }
 
     /// The model, watched.
     pub fn watch<M: Model<Config = Config, In = In, Out = Out>>(&self, model: M) -> Watched<M> {
-        Watched { model, read: None, drained: None, shows: Arc::clone(&self.shows) }
+        Watched { model, changed: 0, is_known: false, shows: Arc::clone(&self.shows) }
     }
 
     /// The mask itself.
@@ -84,21 +81,21 @@ impl DrainedPixel {
         move |hardware, golden| {
             if !self.shows.load(Ordering::Relaxed) {
                 for words in [hardware, golden] {
-                    self.pixel.iter().for_each(|&place| words[place] = 0);
+                    self.masks.iter().for_each(|&place| words[place] = 0);
                 }
             }
         }
     }
 }
 
-/// A model of the accumulator under the eyes of a [`DrainedPixel`].
+/// A model of the accumulator under the eyes of a [`HeldBefore`].
 #[derive(Clone)]
 pub struct Watched<M> {
     model: M,
-    /// The slot of the last drain.
-    read: Option<u8>,
-    /// The slot of the last two drains, if it was the same.
-    drained: Option<u8>,
+    /// A bit for each slot that had a tile.
+    changed: u64,
+    /// Whether the one that changed last had one before.
+    is_known: bool,
     shows: Arc<AtomicBool>,
 }
 
@@ -108,18 +105,16 @@ impl<M: Model<Config = Config, In = In, Out = Out>> Model for Watched<M> {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        self.shows.store(self.drained.is_some(), Ordering::Relaxed);
+        self.shows.store(self.is_known, Ordering::Relaxed);
         self.model.outputs()
     }
 
     fn clock(&mut self, inputs: &In) {
-        if let Some(drain) = inputs.drain {
-            self.drained = self.read.filter(|slot| *slot == drain.slot);
-            let is_filled = inputs.fill.is_some_and(|fill| fill.place == drain);
-            self.read = Some(drain.slot).filter(|_| !is_filled);
+        let reads = self.model.outputs().sample_reads;
+        if let Some(change) = inputs.change.filter(|change| reads >> (u32::from(change.slot) % SLOT_BANKS) & 1 == 0) {
+            self.is_known = self.changed >> change.slot & 1 == 1;
+            self.changed |= 1 << change.slot;
         }
-        let unready = |slot: &u8| inputs.slot_ready >> slot & 1 == 0;
-        (self.read, self.drained) = (self.read.filter(unready), self.drained.filter(unready));
         self.model.clock(inputs);
     }
 }

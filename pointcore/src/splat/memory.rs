@@ -3,31 +3,12 @@
 use crate::memory::{Bus, ExternalMemory, MemorySettings, RequestSize};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{Pixel, PlacedPixel, pixel_bytes};
+use pointcore_contract::splat::records::{Pixel, PixelRun, PlacedPixel, pixel_bytes};
 
 /// Pixels of a tile.
 const PIXELS: usize = TILE_PIXELS as usize;
 /// The port of the reads, the memory's only one.
 const READS: usize = 0;
-
-/// Pixels of a tile that lie one behind the other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PixelRun {
-    /// Tile index.
-    pub tile: u32,
-    /// The first pixel.
-    pub first: u8,
-    /// How many there are, at least one.
-    pub count: u8,
-}
-
-impl PixelRun {
-    /// All pixels of a tile.
-    #[must_use]
-    pub const fn whole(tile: u32) -> Self {
-        Self { tile, first: 0, count: TILE_PIXELS as u8 }
-    }
-}
 
 /// Pixels that passed the port, and what they cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -99,9 +80,9 @@ impl ReconstructionBuffer {
     /// The pixel that is on offer in cycle `now`.
     #[must_use]
     pub fn offer(&self, now: u64) -> Option<Pixel> {
-        let (PixelRun { tile, first, .. }, beat) = self.memory.offer(READS, now)?;
+        let (PixelRun { tile, pixel, .. }, beat) = self.memory.offer(READS, now)?;
         let pixels = self.tiles[tile as usize].as_ref();
-        Some(pixels.map_or_else(Pixel::default, |pixels| pixels[usize::from(first) + beat as usize]))
+        Some(pixels.map_or_else(Pixel::default, |pixels| pixels[usize::from(pixel) + beat as usize]))
     }
 
     /// The offered pixel was taken.

@@ -138,7 +138,7 @@ impl Renderer {
             }
         }
         if let Some(read) = read {
-            self.buffer.request(PixelRun::whole(read.tile), cycle);
+            self.buffer.request(read, cycle);
         }
         if data {
             self.buffer.take();

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::records::{Pixel, PlacedCopy, SamplePlace, TileCopy, WeightedSample};
+use pointcore_contract::splat::records::{Pixel, PixelRun, PlacedCopy, SamplePlace, TileCopy, WeightedSample};
 use pointcore_contract::splat::{AttributeFormat, Config};
 use pointcore_contract::words;
 use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
@@ -26,7 +26,7 @@ const HALF_OF_LARGEST: f32 = 40_000.0;
 /// What happened.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
-    /// Tiles read from memory, pixels written to it, pixels of frames.
+    /// Pixels read from memory, written to it, and of frames.
     pub reads: u32,
     pub writes: u32,
     pub pixels: u32,
@@ -171,11 +171,15 @@ impl Exchange {
             number: 0,
             retire: accumulator.retire,
             frame_end: accumulator.frame_end,
+            masks: accumulator.masks,
+            sample_writes: accumulator.sample_writes,
+            sample_reads: accumulator.sample_reads,
             drained: accumulator.drained,
         };
         let accumulator_in = accumulator::In {
             input: self.samples.front().copied().filter(|_| offers[1]),
             slot_ready: cache.slot_ready,
+            change: cache.change,
             fill: cache.fill,
             drain: cache.drain,
         };
@@ -209,9 +213,10 @@ impl Exchange {
             self.counts.in_flight = self.counts.in_flight.max(self.under_way);
             self.sample(&placed);
         }
-        if let Some(read) = cache.read.filter(|_| taken.read_ready) {
-            self.beats.extend(self.tiles[read.tile as usize]);
-            self.counts.reads += 1;
+        if let Some(PixelRun { tile, pixel, count }) = cache.read.filter(|_| taken.read_ready) {
+            let run = usize::from(pixel)..usize::from(pixel + count);
+            self.beats.extend(&self.tiles[tile as usize][run]);
+            self.counts.reads += u32::from(count);
         }
         if let Some(placed) = cache.write.filter(|_| taken.write_ready) {
             self.tiles[placed.tile as usize][usize::from(placed.pixel)] = self.kept(placed.value);

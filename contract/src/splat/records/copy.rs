@@ -177,11 +177,3 @@ pub struct HeapEntry {
     #[bits(config.heap_levels)]
     pub pointer: u16,
 }
-
-/// A tile's index alone.
-#[record(config: Config)]
-pub struct Tile {
-    /// Tile index.
-    #[bits(config.tile_bits())]
-    pub tile: u32,
-}

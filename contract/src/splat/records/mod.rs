@@ -8,18 +8,20 @@ mod copy;
 mod footprint;
 mod pixel;
 mod sample;
+mod slot;
 mod uniforms;
 
 pub use copy::{
-    CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileCopy,
+    CompleteCopy, HeapEntry, ImageDiagonals, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, TileCopy,
     TileDiagonals, TileRectangle,
 };
 pub use footprint::{Band, DepthPlane, Footprint, Sight};
-pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel, pixel_bytes};
+pub use pixel::{FinishedPixel, Fragment, Pixel, PixelRun, PlacedPixel, pixel_bytes};
 pub use sample::{Sample, SamplePlace, WeightedSample};
+pub use slot::{DrainedPixel, Fill, Slot, SlotChange, SlotMasks, SlotPixel};
 pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport, uniform_formats};
 
-use super::config::{ATTRIBUTES_MAX, Config, TILE_PIXELS, TILE_SIZE, index_bits};
+use super::config::{ATTRIBUTES_MAX, Config, RUN_PIXELS_MAX, TILE_PIXELS, TILE_SIZE, index_bits};
 use crate::record;
 
 /// Names of a point's coordinates.
@@ -40,6 +42,8 @@ pub const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
 pub const DIAGONAL_BITS: u32 = LOCAL_BITS + 1;
 /// Bits of a pixel's index within its tile, row above column.
 pub const PIXEL_BITS: u32 = index_bits(TILE_PIXELS);
+/// Bits of a number of pixels in a run.
+pub const RUN_BITS: u32 = index_bits(RUN_PIXELS_MAX + 1);
 
 /// The name of an attribute by its place.
 #[must_use]

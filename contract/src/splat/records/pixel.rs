@@ -1,6 +1,6 @@
 //! Pixels of the reconstruction buffer and what becomes of them.
 
-use super::{ATTRIBUTES, PIXEL_BITS, attribute_name, made_bits};
+use super::{ATTRIBUTES, PIXEL_BITS, RUN_BITS, attribute_name, made_bits};
 use crate::splat::Config;
 use crate::splat::config::{DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
 use crate::{record, width};
@@ -44,6 +44,20 @@ pub struct PlacedPixel {
     pub value: Pixel,
 }
 
+/// Pixels of a tile that follow each other in a row.
+#[record(config: Config)]
+pub struct PixelRun {
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// The first pixel of the tile.
+    #[bits(PIXEL_BITS)]
+    pub pixel: u8,
+    /// How many there are, at least one.
+    #[bits(RUN_BITS)]
+    pub count: u8,
+}
+
 /// A pixel on its way to normalization.
 #[record(config: Config)]
 pub struct FinishedPixel {
@@ -72,32 +86,4 @@ pub struct Fragment {
     #[name(attribute_name(config, i))]
     #[bits(config.attribute.width())]
     pub attributes: [u32; ATTRIBUTES],
-}
-
-/// A slot's number alone.
-#[record(config: Config)]
-pub struct Slot {
-    /// Slot of the tile cache.
-    #[bits(config.slot_bits())]
-    pub slot: u8,
-}
-
-/// A pixel of a slot.
-#[record(config: Config)]
-pub struct SlotPixel {
-    /// Slot of the tile cache.
-    #[bits(config.slot_bits())]
-    pub slot: u8,
-    /// Pixel of the tile.
-    #[bits(PIXEL_BITS)]
-    pub pixel: u8,
-}
-
-/// A write to a slot.
-#[record(config: Config)]
-pub struct Fill {
-    /// Where.
-    pub place: SlotPixel,
-    /// What.
-    pub value: Pixel,
 }

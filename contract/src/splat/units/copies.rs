@@ -1,9 +1,10 @@
 //! Units that work on copies of splats for tiles.
 
 use crate::splat::Config;
+use crate::splat::config::SLOT_BANKS;
 use crate::splat::records::{
-    CompleteCopy, Fill, FinishedPixel, HeapEntry, Pixel, PlacedCopy, PlacedPixel, SetupSplat, Slot, SlotPixel,
-    SplatCopy, Tile, TileCopy,
+    CompleteCopy, DrainedPixel, Fill, FinishedPixel, HeapEntry, Pixel, PixelRun, PlacedCopy, PlacedPixel, SetupSplat,
+    Slot, SlotChange, SlotMasks, SlotPixel, SplatCopy, TileCopy,
 };
 use crate::unit;
 
@@ -73,9 +74,9 @@ pub struct TileCache {
     input: In<TileCopy>,
     /// Copies with their slots.
     out: Out<PlacedCopy>,
-    /// Request for the pixels of a tile.
-    read: Out<Tile>,
-    /// Pixels of the tiles requested, in pixel order.
+    /// Request for pixels of a tile.
+    read: Out<PixelRun>,
+    /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
     write: Out<PlacedPixel>,
@@ -92,12 +93,21 @@ pub struct TileCache {
     retire: PulseIn<Slot>,
     /// The accumulator is done with the frame.
     frame_end: Input<bool>,
-    /// Write to a slot.
+    /// A slot gets another tile, until it is carried out.
+    change: PulseOut<SlotChange>,
+    /// What the slot that changed last held before.
+    masks: Input<SlotMasks>,
+    /// Write to a slot, until it is carried out.
     fill: PulseOut<Fill>,
-    /// Read of a slot.
+    /// A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    #[bits(SLOT_BANKS)]
+    sample_writes: Input<u32>,
+    /// Read of a slot, until it is carried out.
     #[flag("enable")]
     drain: PulseOut<SlotPixel>,
-    /// The pixel of the last read.
-    #[port("drain")]
-    drained: Input<Pixel>,
+    /// A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    #[bits(SLOT_BANKS)]
+    sample_reads: Input<u32>,
+    /// A pixel that was read.
+    drained: PulseIn<DrainedPixel>,
 }

@@ -2,7 +2,7 @@
 
 use super::events::LaneEvents;
 use crate::splat::Config;
-use crate::splat::records::{FinishedPixel, Pixel, PlacedPixel, SplatCopy, Tile};
+use crate::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel, SplatCopy};
 use crate::unit;
 
 /// Sends copies to one of two sides, by the rasterizer whose tile it is.
@@ -24,9 +24,9 @@ pub struct Lane {
     /// Copies for its tiles.
     #[port("in")]
     input: In<SplatCopy>,
-    /// Request for the pixels of a tile.
-    read: Out<Tile>,
-    /// Pixels of the tiles requested, in pixel order.
+    /// Request for pixels of a tile.
+    read: Out<PixelRun>,
+    /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
     write: Out<PlacedPixel>,
@@ -50,7 +50,7 @@ pub struct Lane {
 #[when(config.rasterizers > 1)]
 pub struct Collector {
     /// Requests of the lower numbers.
-    low_read: In<Tile>,
+    low_read: In<PixelRun>,
     /// Pixels for them.
     low_data: Out<Pixel>,
     /// What they write.
@@ -58,7 +58,7 @@ pub struct Collector {
     /// What they have finished.
     low_pixel: In<FinishedPixel>,
     /// Requests of the higher numbers.
-    high_read: In<Tile>,
+    high_read: In<PixelRun>,
     /// Pixels for them.
     high_data: Out<Pixel>,
     /// What they write.
@@ -66,8 +66,8 @@ pub struct Collector {
     /// What they have finished.
     high_pixel: In<FinishedPixel>,
     /// Requests of both.
-    read: Out<Tile>,
-    /// Pixels of the tiles requested, in pixel order.
+    read: Out<PixelRun>,
+    /// The pixels requested, in order.
     data: In<Pixel>,
     /// What both write.
     write: Out<PlacedPixel>,

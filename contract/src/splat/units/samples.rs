@@ -2,9 +2,10 @@
 
 use super::events::{AccumulatorEvents, RasterizerEvents};
 use crate::splat::Config;
-use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
+use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, SLOT_BANKS, WEIGHT_SUM_BITS};
 use crate::splat::records::{
-    CompleteCopy, Fill, FinishedPixel, Fragment, Pixel, Sample, Slot, SlotPixel, WeightedSample,
+    CompleteCopy, DrainedPixel, Fill, FinishedPixel, Fragment, Sample, Slot, SlotChange, SlotMasks, SlotPixel,
+    WeightedSample,
 };
 use crate::unit;
 
@@ -69,14 +70,23 @@ pub struct Accumulator {
     retire: PulseOut<Slot>,
     /// The frame is done with.
     frame_end: Output<bool>,
-    /// Write to a slot.
+    /// A slot gets another tile, until it is carried out.
+    change: PulseIn<SlotChange>,
+    /// What the slot that changed last held before.
+    masks: Output<SlotMasks>,
+    /// Write to a slot, until it is carried out.
     fill: PulseIn<Fill>,
-    /// Read of a slot.
+    /// A bit for each bank that a sample may write in the next cycle: no fill of it is carried out then.
+    #[bits(SLOT_BANKS)]
+    sample_writes: Output<u32>,
+    /// Read of a slot, until it is carried out.
     #[flag("enable")]
     drain: PulseIn<SlotPixel>,
-    /// The pixel of the last read.
-    #[port("drain")]
-    drained: Output<Pixel>,
+    /// A bit for each bank that a sample may read: no drain and no change of it is carried out.
+    #[bits(SLOT_BANKS)]
+    sample_reads: Output<u32>,
+    /// A pixel that was read.
+    drained: PulseOut<DrainedPixel>,
     /// What happened in the last cycle.
     #[port("")]
     events: Output<AccumulatorEvents>,

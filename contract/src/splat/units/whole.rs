@@ -2,7 +2,7 @@
 
 use super::events::Events;
 use crate::splat::Config;
-use crate::splat::records::{Fragment, Pixel, PlacedPixel, Splat, Tile, UniformWrite};
+use crate::splat::records::{Fragment, Pixel, PixelRun, PlacedPixel, Splat, UniformWrite};
 use crate::unit;
 
 /// The renderer.
@@ -12,9 +12,9 @@ pub struct Top {
     uniform: PulseIn<UniformWrite>,
     /// Splats in world space.
     splat: In<Splat>,
-    /// Request for the pixels of a tile.
-    read: Out<Tile>,
-    /// Pixels of the tiles requested, in pixel order.
+    /// Request for pixels of a tile.
+    read: Out<PixelRun>,
+    /// The pixels requested, in order.
     data: In<Pixel>,
     /// Pixels of evicted tiles.
     write: Out<PlacedPixel>,

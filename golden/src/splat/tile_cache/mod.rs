@@ -1,25 +1,25 @@
 //! Tile cache: which tiles of the reconstruction buffer lie in the accumulator's slots, and the traffic that brings them there.
 //!
-//! A copy is passed on with its tile's slot; a miss starts a *job* that writes the slot's former tile back and loads the new one
-//! behind it, pixel by pixel, while copies of other slots go on. A tile that nobody touched in this frame is not loaded but
-//! cleared. After the last copy of a frame is accumulated, every touched tile is sent to normalization.
+//! A copy is passed on with its tile's slot. A miss starts a *job*: of the slot's former tile those pixels go that samples came to, and
+//! of the new one those come that memory holds, while copies of other slots go on. Behind the last copy of a frame every slot is
+//! written back; then memory has the frame, and the pixels that it holds are sent to normalization, tile by tile.
 
-mod moves;
+mod job;
+mod seeker;
 #[cfg(test)]
 mod tests;
+mod traffic;
 
 use super::parts::share::Share;
 use crate::stream::{Fifo, HalfBuffer, Skid};
 use crate::unit::Model;
-use moves::{Drain, Job, JobStep};
+use job::{Job, JobStep, Walk};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, TILE_PIXELS};
-use pointcore_contract::splat::records::{
-    Fill, FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Slot, SlotPixel, Tile, TileCopy,
-};
+use pointcore_contract::splat::config::{IN_FLIGHT_BITS, PLACED_QUEUE_DEPTH, SLOT_BANKS};
+use pointcore_contract::splat::records::{FinishedPixel, PlacedCopy, Slot, SlotChange, TileCopy};
 pub use pointcore_contract::splat::units::tile_cache::{In, Out};
+use traffic::{Aim, Traffic};
 
-const PIXELS: u8 = TILE_PIXELS as u8;
 const IN_FLIGHT_MAX: u8 = ((1_u32 << IN_FLIGHT_BITS) - 1) as u8;
 
 /// A slot's entry of the directory.
@@ -36,23 +36,12 @@ struct Entry {
 
 #[derive(Clone, Copy, Debug)]
 enum Mode {
-    /// Nothing is known of `touched` after reset.
+    /// Nothing is known of `stored` after reset.
     Clear(usize),
     Run,
-    /// The last copy is on its way.
+    /// The last copy is on its way; slots are written back.
     Wait,
-    Flush(usize, FlushStep),
-}
-
-#[derive(Clone, Copy, Debug)]
-enum FlushStep {
-    /// The memory of touched tiles is read, for two cycles.
-    Read,
-    Look,
-    Check,
-    FromSlot(u8, Drain),
-    FromMemory(u8),
-    Close,
+    Flush(Walk),
 }
 
 /// The tile cache.
@@ -62,19 +51,22 @@ pub struct TileCache {
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
-    /// By a tile's place among those of the rasterizer.
-    touched: Vec<bool>,
+    /// By a tile's place among those of the rasterizer: a bit for each pixel that memory holds.
+    stored: Vec<u64>,
     mode: Mode,
     job: Option<Job>,
     frame_ended: bool,
-    read: Option<Tile>,
-    fill: Option<Fill>,
+    traffic: Traffic,
     input: HalfBuffer<TileCopy>,
     /// The copy that is placed next.
     head: Option<TileCopy>,
     out: Fifo<PlacedCopy>,
-    write: Skid<PlacedPixel>,
     pixel: Skid<FinishedPixel>,
+}
+
+/// The bit of a slot's bank.
+pub const fn bank(slot: u8) -> u32 {
+    1 << (slot as u32 % SLOT_BANKS)
 }
 
 impl TileCache {
@@ -85,16 +77,14 @@ impl TileCache {
             share: Share::new(config),
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
-            touched: vec![false; 1 << config.place_bits()],
+            stored: vec![0; 1 << config.place_bits()],
             mode: Mode::Clear(0),
             job: None,
             frame_ended: false,
-            read: None,
-            fill: None,
+            traffic: Traffic::new(),
             input: HalfBuffer::default(),
             head: None,
             out: Fifo::new(PLACED_QUEUE_DEPTH as usize),
-            write: Skid::default(),
             pixel: Skid::default(),
         }
     }
@@ -103,33 +93,49 @@ impl TileCache {
         self.slots.iter().position(|entry| entry.resident && entry.tile == tile).map(|slot| slot as u8)
     }
 
-    fn data_ready(&self) -> bool {
-        match self.mode {
-            Mode::Flush(_, FlushStep::FromMemory(received)) => self.pixel.in_ready() && received < PIXELS,
-            _ => self.job.as_ref().is_some_and(Job::may_load),
+    fn is_at(&self, step: JobStep) -> Option<Job> {
+        self.job.filter(|job| job.step == step)
+    }
+
+    /// Where pixels go in this cycle.
+    fn aim(&self) -> Aim {
+        match (self.mode, self.is_at(JobStep::Move)) {
+            (Mode::Flush(_), _) => Aim::Output { has_room: self.pixel.in_ready() },
+            (_, Some(Job { slot: Slot { slot }, .. })) => Aim::Slot(slot),
+            _ => Aim::Nowhere,
         }
     }
 
-    fn drain(&self) -> Option<SlotPixel> {
-        let (slot, pixel) = match (&self.mode, &self.job) {
-            (Mode::Flush(_, FlushStep::FromSlot(slot, drain)), _) => (*slot, drain.request(self.pixel.in_ready())),
-            (_, Some(job)) => (job.slot, job.request(self.write.in_ready())),
-            _ => return None,
-        };
-        pixel.map(|pixel| SlotPixel { slot, pixel })
+    fn change(&self) -> Option<SlotChange> {
+        let Job { slot: Slot { slot }, comes, .. } = self.is_at(JobStep::Change)?;
+        Some(SlotChange { slot, held: comes.map_or(0, |tile| self.stored[self.share.place(tile) as usize]) })
     }
 
     fn slot_ready(&self) -> u64 {
         self.slots.iter().rev().fold(0, |bits, entry| bits << 1 | u64::from(entry.ready))
     }
 
+    fn follow_turn(&mut self) {
+        self.next = (self.next + 1) % self.slots.len() as u8;
+    }
+
     /// The turn of a slot that was used since its last one goes to the next slot.
     fn skip(&mut self) -> bool {
         let skips = std::mem::take(&mut self.slots[usize::from(self.next)].used);
         if skips {
-            self.next = (self.next + 1) % self.slots.len() as u8;
+            self.follow_turn();
         }
         skips
+    }
+
+    /// Starts a job on the slot whose turn it is, unless a copy is under way in it.
+    fn start(&mut self, comes: Option<u32>) {
+        let slot = self.next;
+        let entry = &mut self.slots[usize::from(slot)];
+        let goes = entry.resident.then_some(entry.tile);
+        *entry = Entry { tile: comes.unwrap_or(entry.tile), resident: comes.is_some(), ..Entry::default() };
+        self.job = Some(Job { slot: Slot { slot }, comes, goes, step: JobStep::Read });
+        self.follow_turn();
     }
 
     /// Mode *run*: returns the copy at the head if it is passed on; a miss starts a job instead, unless a turn was skipped.
@@ -148,101 +154,76 @@ impl TileCache {
             entry.used |= passes;
             return passes.then_some(PlacedCopy { copy, slot });
         }
-        let slot = self.next;
-        let entry = &mut self.slots[usize::from(slot)];
-        if !skips && self.job.is_none() && entry.in_flight == 0 {
-            let evicted = entry.resident.then_some(entry.tile);
-            *entry = Entry { tile: copy.tile, resident: true, ready: false, used: false, in_flight: 0 };
-            self.job = Some(Job { slot, tile: copy.tile, evicted, step: JobStep::Read });
-            self.next = (slot + 1) % self.slots.len() as u8;
+        if !skips && self.job.is_none() && self.slots[usize::from(self.next)].in_flight == 0 {
+            self.start(Some(copy.tile));
         }
         None
     }
 
-    /// A cycle of the job: returns its next state and what is written to memory. `fills` says that a fill is shown.
-    fn clock_job(&mut self, mut job: Job, data: Option<Pixel>, drained: Pixel, fills: bool) -> Option<PlacedPixel> {
-        let may_fill = job.may_fill();
-        let mut written = None;
-        match &mut job.step {
-            JobStep::Read => job.step = JobStep::Lookup,
-            JobStep::Lookup => {
-                let load = std::mem::replace(&mut self.touched[self.share.place(job.tile) as usize], true);
-                if load {
-                    self.read = Some(Tile { tile: job.tile });
-                }
-                job.step = JobStep::Move { load, drain: Drain::default(), filled: 0 };
-            }
-            JobStep::Move { load, drain, filled } => {
-                let moved_out = job.evicted.is_none() || (drain.is_done() && self.write.out().is_none());
-                if *filled == PIXELS && !fills && moved_out {
-                    self.slots[usize::from(job.slot)].ready = true;
-                    self.job = None;
-                    return None;
-                }
-                if let Some(tile) = job.evicted {
-                    let taken = drain.clock(self.write.in_ready(), drained);
-                    written = taken.map(|(pixel, value)| PlacedPixel { tile, pixel, value });
-                }
-                let value = if *load { data } else { may_fill.then(Pixel::default) };
-                if let Some(value) = value {
-                    self.fill = Some(Fill { place: SlotPixel { slot: job.slot, pixel: *filled }, value });
-                    *filled += 1;
-                }
-            }
+    /// Mode *wait*: the slot whose turn it is is written back, and when none holds a tile the frame is sent.
+    fn wait(&mut self, skips: bool) {
+        if self.job.is_some() {
+            return;
         }
-        self.job = Some(job);
-        written
+        if self.frame_ended && !self.slots.iter().any(|entry| entry.resident) {
+            self.frame_ended = false;
+            self.mode = Mode::Flush(Walk::FIRST);
+            return;
+        }
+        let Entry { resident, in_flight, .. } = self.slots[usize::from(self.next)];
+        if !skips && resident && in_flight == 0 {
+            self.start(None);
+        } else if !skips {
+            self.follow_turn();
+        }
     }
 
-    /// A cycle of mode *flush*: returns what goes to normalization.
-    fn flush(&mut self, (code, step): (usize, FlushStep), inputs: &In, data: Option<Pixel>) -> Option<FinishedPixel> {
-        let tile = self.share.tile(inputs.number.into(), code as u32);
-        let drained = inputs.drained;
-        let room = self.pixel.in_ready();
-        let finished = |pixel, value: Pixel| {
-            let placed = PlacedPixel { tile, pixel, value };
-            (value.weight != 0).then_some(FinishedPixel { end: false, placed })
-        };
-        let next_tile = if code + 1 < self.touched.len() {
-            Mode::Flush(code + 1, FlushStep::Read)
-        } else {
-            Mode::Flush(code, FlushStep::Close)
-        };
-        let mut pushed = None;
-        self.mode = match step {
-            FlushStep::Read => Mode::Flush(code, FlushStep::Look),
-            FlushStep::Look => Mode::Flush(code, FlushStep::Check),
-            FlushStep::Check => {
-                if !std::mem::take(&mut self.touched[code]) {
-                    next_tile
-                } else if let Some(slot) = self.slot_of(tile) {
-                    Mode::Flush(code, FlushStep::FromSlot(slot, Drain::default()))
-                } else {
-                    self.read = Some(Tile { tile });
-                    Mode::Flush(code, FlushStep::FromMemory(0))
+    /// A cycle of the job; `is_over` says that no pixel was under way.
+    fn clock_job(&mut self, mut job: Job, is_over: bool, inputs: &In) {
+        match job.step {
+            JobStep::Read => job.step = JobStep::Change,
+            JobStep::Change if inputs.sample_reads & bank(job.slot.slot) == 0 => {
+                if let Some(tile) = job.comes {
+                    self.traffic.want(tile, self.stored[self.share.place(tile) as usize]);
+                }
+                job.step = JobStep::Changed;
+            }
+            JobStep::Change => {}
+            JobStep::Changed => {
+                if let Some(tile) = job.goes {
+                    self.stored[self.share.place(tile) as usize] = inputs.masks.written;
+                    self.traffic.let_leave(inputs.masks.dirty);
+                }
+                job.step = JobStep::Move;
+            }
+            JobStep::Move if is_over => {
+                self.slots[usize::from(job.slot.slot)].ready = job.comes.is_some();
+                self.job = None;
+                return;
+            }
+            JobStep::Move => {}
+        }
+        self.job = Some(job);
+    }
+
+    /// A cycle of the walk through the frame, before whose end another tile could be asked for or all pixels had come: returns what
+    /// closes it.
+    fn walk(&mut self, walk: Walk, number: u8, [may_want, all_came]: [bool; 2]) -> Option<FinishedPixel> {
+        if walk.is_over() && all_came && self.pixel.in_ready() {
+            self.mode = Mode::Run;
+            return Some(FinishedPixel { end: true, ..FinishedPixel::default() });
+        }
+        let mask = walk.seen.map_or(0, |code| self.stored[code]);
+        if mask == 0 || may_want {
+            if let Some(code) = walk.seen {
+                self.stored[code] = 0;
+                if mask != 0 {
+                    self.traffic.want(self.share.tile(number.into(), code as u32), mask);
                 }
             }
-            FlushStep::FromSlot(_, drain) if drain.is_done() => next_tile,
-            FlushStep::FromSlot(slot, mut drain) => {
-                pushed = drain.clock(room, drained).and_then(|(pixel, value)| finished(pixel, value));
-                Mode::Flush(code, FlushStep::FromSlot(slot, drain))
-            }
-            FlushStep::FromMemory(PIXELS) => next_tile,
-            FlushStep::FromMemory(received) => {
-                pushed = data.and_then(|value| finished(received, value));
-                Mode::Flush(code, FlushStep::FromMemory(received + u8::from(data.is_some())))
-            }
-            FlushStep::Close if room => {
-                pushed = Some(FinishedPixel { end: true, ..FinishedPixel::default() });
-                for entry in &mut self.slots {
-                    (entry.resident, entry.used) = (false, false);
-                }
-                self.next = 0;
-                Mode::Run
-            }
-            FlushStep::Close => self.mode,
-        };
-        pushed
+            self.mode = Mode::Flush(walk.advance(self.stored.len()));
+        }
+        None
     }
 }
 
@@ -255,39 +236,40 @@ impl Model for TileCache {
         Out {
             in_ready: self.input.in_ready(),
             out: self.out.out().copied(),
-            read: self.read,
-            data_ready: self.data_ready(),
-            write: self.write.out().copied(),
+            read: self.traffic.read.out().copied(),
+            data_ready: self.traffic.data_ready(self.aim()),
+            write: self.traffic.write.out().copied(),
             pixel: self.pixel.out().copied(),
             slot_ready: self.slot_ready(),
-            fill: self.fill,
-            drain: self.drain(),
+            change: self.change(),
+            fill: self.traffic.fill,
+            drain: self.traffic.drain(self.aim()),
         }
     }
 
     fn clock(&mut self, inputs: &In) {
-        let data = inputs.data.filter(|_| self.data_ready());
-        let fills = self.fill.take().is_some();
-        self.read = self.read.filter(|_| !inputs.read_ready);
-
-        let (mut passed, mut pixel) = (None, None);
-        let skips = self.skip();
         let job = self.job;
+        let goes = job.and_then(|job| job.goes);
+        // As the registers are.
+        let (may_want, all_came) = (self.traffic.may_want(), self.traffic.all_came());
+        let is_over = self.traffic.is_over();
+        let sent = self.traffic.clock(self.aim(), goes, inputs);
+        let sent = sent.filter(|placed| placed.value.weight != 0).map(|placed| FinishedPixel { end: false, placed });
+
+        let (mut passed, mut close) = (None, None);
+        let skips = self.skip();
         match self.mode {
             Mode::Clear(code) => {
-                self.touched[code] = false;
-                self.mode = if code + 1 < self.touched.len() { Mode::Clear(code + 1) } else { Mode::Run };
+                self.stored[code] = 0;
+                self.mode = if code + 1 < self.stored.len() { Mode::Clear(code + 1) } else { Mode::Run };
             }
             Mode::Run => passed = self.run(skips),
-            Mode::Wait if self.frame_ended && job.is_none() => {
-                self.frame_ended = false;
-                self.slots.iter_mut().for_each(|entry| entry.ready = false);
-                self.mode = Mode::Flush(0, FlushStep::Read);
-            }
-            Mode::Wait => {}
-            Mode::Flush(code, step) => pixel = self.flush((code, step), inputs, data),
+            Mode::Wait => self.wait(skips),
+            Mode::Flush(walk) => close = self.walk(walk, inputs.number, [may_want, all_came]),
         }
-        let written = job.and_then(|job| self.clock_job(job, data, inputs.drained, fills));
+        if let Some(job) = job {
+            self.clock_job(job, is_over, inputs);
+        }
         if let Some(Slot { slot }) = inputs.retire {
             self.slots[usize::from(slot)].in_flight -= 1;
         }
@@ -301,7 +283,6 @@ impl Model for TileCache {
         }
         self.input.step(inputs.input, takes);
         self.out.step(passed, inputs.out_ready);
-        self.write.step(written, inputs.write_ready);
-        self.pixel.step(pixel, inputs.pixel_ready);
+        self.pixel.step(sent.or(close), inputs.pixel_ready);
     }
 }

@@ -1,4 +1,4 @@
-//! The reconstruction buffer in memory (`docs/interfaces.md`): the renderer's reads of tiles and writes of pixels, in their order; proved in
+//! The reconstruction buffer in memory (`docs/interfaces.md`): the renderer's reads and writes of pixels, in their order; proved in
 //! `formal/splat_buffer.sv`.
 
 use pointcore_contract::bus::Layout;
@@ -12,14 +12,14 @@ use super::wiring::{feed, place};
 use crate::bus::{ADDRESS_BITS, reader, writer};
 use crate::units::ports::{Flow, StreamInPorts, StreamOutPorts, WordPort, export};
 use crate::units::wires::{Bundle, Wired, Wires, layout};
-use rtl::{Expr, Instance, Module, address_width, cat, lit};
+use rtl::{Expr, Instance, Module, address_width, cat};
 
 /// What lies in memory, and how memory is reached.
 pub(super) struct Buffer<'a, P: Record> {
     /// What a pixel depends on.
     pub config: &'a P::Config,
-    /// Pixels of a tile, a power of two.
-    pub tile_pixels: u32,
+    /// Pixels of a read at most.
+    pub run_pixels: u32,
     /// Bits of a beat.
     pub memory_bits: u32,
     /// Where the first tile lies.
@@ -28,6 +28,17 @@ pub(super) struct Buffer<'a, P: Record> {
     pub reads: Instance,
     /// The unit that writes.
     pub writes: Instance,
+}
+
+/// Pixels that are read.
+#[derive(Clone, Copy)]
+pub(super) struct Run {
+    /// Their tile.
+    pub tile: Expr,
+    /// Which of the tile's is the first.
+    pub pixel: Expr,
+    /// How many they are.
+    pub count: Expr,
 }
 
 /// A pixel with its place.
@@ -42,17 +53,16 @@ pub(super) struct Placed<B> {
 }
 
 impl<P: Record> Buffer<'_, P> {
-    /// Leads reads of tiles and writes to memory. A read sees every write before it: it waits until all are answered, and no other is
+    /// Leads reads and writes of pixels to memory. A read sees every write before it: it waits until all are answered, and no other is
     /// taken meanwhile.
-    pub fn order(&self, m: &mut Module, read: Flow<Expr>, write: Flow<Placed<Wired<P>>>) {
+    pub fn order(&self, m: &mut Module, read: Flow<Run>, write: Flow<Placed<Wired<P>>>) {
         let stride_bits = Layout::record::<P>(self.config).stride(self.memory_bits).ilog2();
         let writer_idle = WriterPorts::<P>::ALL.idle.word_of(m, self.writes);
-        let tile_bits = stride_bits + self.tile_pixels.ilog2();
-        let address = m.wire("tile_address", place(self.base, read.record, tile_bits));
-        let records = lit(self.tile_pixels.ilog2() + 1, self.tile_pixels.into());
+        let Run { tile, pixel, count } = read.record;
+        let address = m.wire("run_address", place(self.base, cat([tile, pixel]), stride_bits));
         let reads = (self.reads, ReaderPorts::<P>::ALL.request);
-        let request = ReadRequest { address, records };
-        feed(m, &self.tile_pixels, (read.valid, read.ready), reads, writer_idle, request);
+        let request = ReadRequest { address, records: count };
+        feed(m, &self.run_pixels, (read.valid, read.ready), reads, writer_idle, request);
         let Placed { tile, pixel, value } = write.record;
         let address = m.wire("pixel_address", place(self.base, cat([tile, pixel]), stride_bits));
         let no_read = m.wire("no_read", !read.valid);
@@ -66,14 +76,21 @@ impl<P: Record> Buffer<'_, P> {
 struct PlaceBits {
     tile: u32,
     pixel: u32,
+    count: u32,
 }
 
-/// A tile that is read.
+/// Pixels that are read.
 #[record(bits: PlaceBits)]
-struct Tile {
+struct PixelRun {
     /// Tile index.
     #[bits(bits.tile)]
     tile: u32,
+    /// First pixel of the tile.
+    #[bits(bits.pixel)]
+    pixel: u32,
+    /// Pixels.
+    #[bits(bits.count)]
+    count: u32,
 }
 
 /// Where a pixel lies.
@@ -87,27 +104,34 @@ struct PixelPlace {
     pixel: u32,
 }
 
-/// The buffer without its core: few tiles, so many bursts and writes under way at most that a proof can go through.
+/// The buffer without its core: few tiles of so many pixels, so many in a read, and so many bursts and writes under way at most that a
+/// proof can go through.
 #[must_use]
-pub fn alone<P: Record>(config: &P::Config, memory_bits: u32, tile_bits: u32, tile_pixels: u32, limit: u32) -> Module {
+pub fn alone<P: Record>(
+    config: &P::Config,
+    memory_bits: u32,
+    tile_bits: u32,
+    [tile_pixels, run_pixels]: [u32; 2],
+    limit: u32,
+) -> Module {
     let mut m = Module::new("splat_buffer", "The renderer's reconstruction buffer in memory.");
-    let reads = m.instance("reads", reader::limited::<P>(config, memory_bits, tile_pixels, limit));
+    let reads = m.instance("reads", reader::limited::<P>(config, memory_bits, run_pixels, limit));
     let writes = m.instance("writes", writer::limited::<P>(config, memory_bits, limit));
     let (reader, writer) = (ReaderPorts::<P>::ALL, WriterPorts::<P>::ALL);
     export(&mut m, &memory_bits, (reads, reader.memory), reader.memory);
     export(&mut m, &memory_bits, (writes, writer.memory), writer.memory);
     let base = m.input("base", ADDRESS_BITS);
-    let bits = PlaceBits { tile: tile_bits, pixel: address_width(tile_pixels) };
-    let read = In::<Tile>::new("read", "valid", "Tiles wanted.").declare(&mut m, &bits);
+    let bits = PlaceBits { tile: tile_bits, pixel: address_width(tile_pixels), count: address_width(run_pixels + 1) };
+    let read = In::<PixelRun>::new("read", "valid", "Pixels wanted.").declare(&mut m, &bits);
     // The place, then what the pixel holds.
     let write = m.stream_in("write", &[layout::<PixelPlace>(&bits), layout::<P>(config)].concat());
     let mut values = write.fields.iter().map(|(_, value)| *value);
     let PixelPlace { tile, pixel } = PixelPlace::<Wires>::from_values(&bits, values.by_ref());
     let value = <Wired<P>>::from_values(config, values);
     let write = Flow { valid: write.valid, record: Placed { tile, pixel, value }, ready: write.ready };
-    let buffer = Buffer::<P> { config, tile_pixels, memory_bits, base, reads, writes };
-    buffer.order(&mut m, read.map(|read| read.tile), write);
+    let buffer = Buffer::<P> { config, run_pixels, memory_bits, base, reads, writes };
+    buffer.order(&mut m, read.map(|PixelRun { tile, pixel, count }| Run { tile, pixel, count }), write);
     let data = reader.record.of(&mut m, config, reads);
-    Out::<P>::new("data", "valid", "The pixels of tiles.").export(&mut m, config, data);
+    Out::<P>::new("data", "valid", "The pixels.").export(&mut m, config, data);
     m
 }

@@ -6,11 +6,11 @@ use pointcore_contract::bus::registers::{ErrorInputs, ErrorSources, RegisterMap,
 use pointcore_contract::bus::units;
 use pointcore_contract::bus::units::splat_axi::Ports;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::config::RUN_PIXELS_MAX;
 use pointcore_contract::splat::records::{Fragment, Pixel, Splat, UniformWrite};
 use pointcore_contract::splat::units::top::PORTS;
 
-use super::buffer::{Buffer, Placed};
+use super::buffer::{Buffer, Placed, Run};
 use super::wiring::{Abort, report};
 use crate::bus::{Top, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
@@ -27,8 +27,8 @@ use rtl::{Expr, Instance, Module, Reg, address_width, bit, cat, lit};
 /// Errors from elsewhere: misplaced `rlast`, packets, answers to reads and writes.
 const ERROR_SOURCES: ErrorSources = ErrorSources { busy: 0, burst: 1, packet: 1, memory: 2 };
 
-/// Tiles that may be asked for and not taken: one comes while another is taken.
-const TILES_READ: u32 = 2;
+/// Pixels that may be asked for and not taken: enough for memory's latency, so that one a cycle may come. A power of two.
+const PIXELS_ASKED_MAX: u32 = 128;
 
 /// The ports of what is placed.
 const TOP: Ports = Ports::ALL;
@@ -52,7 +52,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let control = m.instance("registers", registers::module::<SplatRegisters>(config, ERROR_SOURCES));
     let splats = m.instance("splats", packet_in::module::<Splat>(config, bus.stream_bits));
     let fragments = m.instance("fragments", packet_out::module::<Fragment>(config, bus.stream_bits));
-    let reads = m.instance("reads", reader::module::<Pixel>(config, bus.memory_bits, TILE_PIXELS));
+    let reads = m.instance("reads", reader::module::<Pixel>(config, bus.memory_bits, RUN_PIXELS_MAX));
     let writes = m.instance("writes", writer::module::<Pixel>(config, bus.memory_bits));
     export(&mut m, &(), (control, CONTROL.host), TOP.registers);
     export(&mut m, &bus.stream_bits, (splats, SPLATS.packets), TOP.splats);
@@ -72,10 +72,10 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
 
     let base = CONTROL.settings.of(&mut m, config, control).buffer_base;
     let buffer =
-        Buffer::<Pixel> { config, tile_pixels: TILE_PIXELS, memory_bits: bus.memory_bits, base, reads, writes };
+        Buffer::<Pixel> { config, run_pixels: RUN_PIXELS_MAX, memory_bits: bus.memory_bits, base, reads, writes };
     let write = PORTS.write.of(&mut m, config, core);
     let write = write.map(|placed| Placed { tile: placed.tile, pixel: placed.pixel, value: placed.value });
-    let (read, all_came) = tiles(&mut m, config, core, reads, abort);
+    let (read, all_came) = read_pixels(&mut m, config, core, reads, abort);
     buffer.order(&mut m, read, write);
 
     // The run ends when its last packet has left and memory has answered.
@@ -105,11 +105,11 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     Ok(Top { module: m, core: core_module, manifests })
 }
 
-/// Leads tiles from memory through a queue that has room for all that was asked for, so that memory never waits for the core, which
-/// may wait for memory to take what it writes. Returns the tiles to be read, and whether all that was asked for came.
-fn tiles(m: &mut Module, config: &Config, core: Instance, reads: Instance, abort: Abort) -> (Flow<Expr>, Expr) {
+/// Leads pixels from memory through a queue that has room for all that was asked for, so that memory never waits for the core, which
+/// may wait for memory to take what it writes. Returns the pixels to be read, and whether all that was asked for came.
+fn read_pixels(m: &mut Module, config: &Config, core: Instance, reads: Instance, abort: Abort) -> (Flow<Run>, Expr) {
     let wanted = PORTS.read.of(m, config, core);
-    let queue = Passage::<Pixel>::place(m, "pixels", fifo(TILES_READ * TILE_PIXELS, &layout::<Pixel>(config)));
+    let queue = Passage::<Pixel>::place(m, "pixels", fifo(PIXELS_ASKED_MAX, &layout::<Pixel>(config)));
     m.reset_by(queue.instance(), abort.drops);
     let pixel = READS.record.of(m, config, reads);
     let room = queue.room(m);
@@ -119,25 +119,26 @@ fn tiles(m: &mut Module, config: &Config, core: Instance, reads: Instance, abort
     let taken = PORTS.data.offer(m, config, core, stored.valid, stored.record);
     m.drive(stored.ready, taken);
 
-    // Tiles asked for of which not all pixels have come, and of which not all have been taken.
-    let ready = m.forward("reads_tile", 1);
-    let begins = m.wire("tile_begins", wanted.transfer());
-    let awaited = unfinished(m, "awaited", begins, pixel.transfer(), bit(false));
-    let held = unfinished(m, "held", begins, stored.transfer(), abort.drops);
-    let fits = m.wire("tile_fits", !held.eq_lit(TILES_READ.into()));
+    // Pixels asked for that have not come, and that have not been taken.
+    let ready = m.forward("reads_run", 1);
+    let begins = m.wire("run_begins", wanted.transfer());
+    let asked = begins.repeat(wanted.record.count.width()) & wanted.record.count;
+    let awaited = unfinished(m, "awaited", asked, pixel.transfer(), bit(false));
+    let held = unfinished(m, "held", asked, stored.transfer(), abort.drops);
+    // A run of any length fits.
+    let fits = m.wire("run_fits", held.lt_lit(u128::from(PIXELS_ASKED_MAX - RUN_PIXELS_MAX + 1)));
     m.drive(wanted.ready, ready & fits);
-    (Flow { valid: wanted.valid & fits, record: wanted.record.tile, ready }, awaited.is_zero())
+    let run = wanted.record;
+    let run = Run { tile: run.tile, pixel: run.pixel, count: run.count };
+    (Flow { valid: wanted.valid & fits, record: run, ready }, awaited.is_zero())
 }
 
-/// Counts tiles that have begun and lack pixels.
-fn unfinished(m: &mut Module, name: &str, begins: Expr, pixel: Expr, clear: Expr) -> Reg {
-    let [pixel_bits, tile_bits] = [TILE_PIXELS.ilog2(), address_width(TILES_READ + 1)];
-    let place = m.reg_reset(&format!("pixel_{name}"), pixel_bits, 0);
-    m.next(place, clear.mux(lit(pixel_bits, 0), place + pixel.zext(pixel_bits)));
-    let tiles = m.reg_reset(&format!("tiles_{name}"), tile_bits, 0);
-    let ends = pixel & place.all();
-    m.next(tiles, clear.mux(lit(tile_bits, 0), tiles + begins.zext(tile_bits) - ends.zext(tile_bits)));
-    tiles
+/// Counts pixels that were asked for, less those that moved.
+fn unfinished(m: &mut Module, name: &str, asked: Expr, moved: Expr, clear: Expr) -> Reg {
+    let bits = address_width(PIXELS_ASKED_MAX + 1);
+    let pixels = m.reg_reset(&format!("pixels_{name}"), bits, 0);
+    m.next(pixels, clear.mux(lit(bits, 0), pixels + asked.zext(bits) - moved.zext(bits)));
+    pixels
 }
 
 /// How writes to uniforms come from the registers.

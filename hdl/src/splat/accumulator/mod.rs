@@ -1,26 +1,28 @@
 //! Accumulates samples in the pixels of the tile slots (thesis 5.5.3, eq. 5.8 to 5.12), one a cycle unless an earlier
 //! sample of the same pixel is on its way; golden twin: `pointcore_golden::splat::accumulator`.
 //!
-//! A sample reads its pixel in its slot's memory when it issues and chooses among the slots' registers in stage 2: in one cycle a
+//! A sample reads its pixel in its slot's bank when it issues and chooses among the banks' registers in stage 2: in one cycle a
 //! block RAM only gets as far as a register. It writes the pixel from stage `accumulate_stages + 1`.
 
 mod blend;
 mod sample;
+mod slots;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, index_bits};
-use pointcore_contract::splat::records::{Fill, PIXEL_BITS, Pixel, Slot, SlotPixel, WeightedSample};
+use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, SLOT_BANKS, TILE_PIXELS};
+use pointcore_contract::splat::records::{PIXEL_BITS, Pixel, Slot, SlotPixel, WeightedSample};
 use pointcore_contract::splat::units::AccumulatorEvents;
 use pointcore_contract::splat::units::accumulator::PORTS;
 use pointcore_contract::width;
 
 use crate::stream::{fifo, fifo_distributed};
-use crate::units::ports::{Flow, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, WordPort, held};
+use crate::units::ports::{Flow, OutputPorts, PulseOutPorts, StreamInPorts, WordPort, held};
 use crate::units::queue::{Head, Pushed};
 use crate::units::wires::{Bundle, Wires, layout};
 use blend::blend;
 use rtl::{Expr, Module, Reg, bit, cat};
 use sample::{Contribution, Place, Queued};
+use slots::{Accesses, SlotPorts};
 
 /// What travels with a sample through every stage.
 struct Stage {
@@ -84,6 +86,8 @@ struct Issue {
     sample: Expr,
     /// It lies inside its splat.
     inside: Expr,
+    /// The head lies inside its splat, and its slot is ready: it issues, or waits for another sample.
+    reads: Expr,
     end: Expr,
     hazard: Expr,
     slot_wait: Expr,
@@ -105,10 +109,11 @@ impl Issue {
         let inside = m.wire("may_issue_inside", sample & place.inside);
         let slot_wait = m.wire("slot_wait", inside & !arrived);
         let hazard = m.wire("hazard", inside & (arrived & on_the_way));
+        let reads = m.wire("reads", inside & arrived);
         let inside = m.wire("issue_inside", inside & (arrived & !on_the_way));
         let sample = m.wire("issue", sample & !(slot_wait | hazard));
         let end = m.wire("issue_end", end & !occupied);
-        Self { sample, inside, end, hazard, slot_wait }
+        Self { sample, inside, reads, end, hazard, slot_wait }
     }
 }
 
@@ -130,47 +135,6 @@ fn queue(m: &mut Module, config: &Config, depth: u32, input: Flow<WeightedSample
     Flow { valid: place.valid, record, ready }
 }
 
-/// The ports through which the tile cache reaches the slots.
-struct SlotPorts {
-    ready: Expr,
-    fill: Pulse<Fill<Wires>>,
-    drain: Pulse<SlotPixel<Wires>>,
-}
-
-/// Accesses of the samples to the slots.
-struct Accesses {
-    read: Pulse<SlotPixel<Wires>>,
-    write: Pulse<SlotPixel<Wires>>,
-    /// The pixel that is written, as a word.
-    result: Expr,
-}
-
-/// A memory for each slot, read and written by samples when it is ready and by the tile cache when it is not; returns
-/// the register behind each: what was read a cycle ago, or before the tile cache's last read.
-fn slots(m: &mut Module, config: &Config, pixels: u32, ports: &SlotPorts, accesses: &Accesses) -> Vec<Expr> {
-    let pixel_bits = width::<Pixel>(config);
-    let address = |pixel: Expr| pixel.trunc(index_bits(pixels));
-    let SlotPorts { fill, drain, .. } = *ports;
-    let Fill { place: filled, value } = fill.record;
-    let value = value.pack(config);
-    let mut slot = |number: u32| {
-        let is = |slot: Expr| slot.eq_lit(number.into());
-        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), pixels, pixel_bits);
-        let filling = m.wire(&format!("filling_{number}"), fill.valid & is(filled.slot));
-        let write = filling | (accesses.write.valid & is(accesses.write.record.slot));
-        let write_address = filling.mux(filled.pixel, accesses.write.record.pixel);
-        m.write(memory, write, address(write_address), filling.mux(value, accesses.result));
-
-        let ready = ports.ready.bit(number);
-        let read = accesses.read.valid & is(accesses.read.record.slot);
-        let drained = drain.valid & is(drain.record.slot);
-        let read_address = ready.mux(accesses.read.record.pixel, drain.record.pixel);
-        let read = m.read_if(memory, &format!("slot_{number}_read"), ready.mux(read, drained), address(read_address));
-        held(m, &format!("slot_{number}_pixel"), ready | drained, read)
-    };
-    (0..config.tile_slots).map(&mut slot).collect()
-}
-
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
@@ -182,6 +146,7 @@ pub fn module(config: &Config) -> Module {
 pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     let mut m = Module::new("splat_accumulator", "Blends samples into the pixels of the tile slots.");
     m.parameter("slots", config.tile_slots);
+    m.parameter("banks", SLOT_BANKS);
     m.parameter("stages", config.accumulate_stages);
     let input = PORTS.input.declare(&mut m, config);
     let queued = queue(&mut m, config, queue_depth, input);
@@ -190,13 +155,12 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     PORTS.retire.drive(&mut m, config, retires, Slot { slot: *retired_slot });
     let frame_end = m.reg_reset("frame_end", 1, 0);
     PORTS.frame_end.drive_word(&mut m, frame_end);
-    let ports =
-        SlotPorts { ready, fill: PORTS.fill.declare(&mut m, config), drain: PORTS.drain.declare(&mut m, config) };
+    let ports = SlotPorts::declare(&mut m, config);
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();
     let head = Head::new(&mut m, config, queued);
     let Queued { place, contribution } = head.record;
-    let issue = Issue::new(&mut m, &head, ports.ready, &stages);
+    let issue = Issue::new(&mut m, &head, ready, &stages);
     head.leaves(&mut m, issue.sample | issue.end);
     m.next(frame_end, issue.end);
     stages[0].enter(&mut m, &place, &issue);
@@ -209,24 +173,35 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
 
     let pixel_bits = width::<Pixel>(config);
     let result = m.forward("result", pixel_bits);
-    let writes = m.forward("writes", 1);
+    let changes = m.forward("changes", 1);
+    let next_to_last = &stages[stages.len() - 2];
     let accesses = Accesses {
-        read: Pulse { valid: issue.inside, record: SlotPixel { slot: place.slot, pixel: place.pixel } },
-        write: Pulse { valid: *writes, record: SlotPixel { slot: *last_stage.slot, pixel: *last_stage.pixel } },
+        reads: issue.reads,
+        issues: issue.inside,
+        read: SlotPixel { slot: place.slot, pixel: place.pixel },
+        comes: *next_to_last.inside,
+        coming_slot: *next_to_last.slot,
+        ends: *last_stage.inside,
+        written: SlotPixel { slot: *last_stage.slot, pixel: *last_stage.pixel },
+        changes: *changes,
         result: *result,
     };
-    let read = slots(&mut m, config, pixels, &ports, &accesses);
+    let reads = slots::show_precedence(&mut m, &accesses);
+    let is_written = slots::masks(&mut m, config, &ports.change, &accesses);
+    let is_written = ["is_written_1", "is_written_2"]
+        .into_iter()
+        .fold(is_written, |is_written, name| held(&mut m, name, bit(true), is_written));
+    let banks = slots::banks(&mut m, config, pixels, &ports, &accesses);
+    slots::show_drained(&mut m, config, &ports.drain, reads, &banks);
     let stored = m.reg("stored", pixel_bits);
-    m.next(stored, stages[1].slot.pick(read.iter().copied()));
-    let drained_slot = held(&mut m, "drained_slot", ports.drain.valid, ports.drain.record.slot);
-    let drained = m.wire("drained", drained_slot.pick(read));
-    PORTS.drained.drive(&mut m, config, Pixel::unpack(config, drained));
+    let read = slots::bank(*stages[1].slot).pick(banks);
+    m.next(stored, is_written.repeat(pixel_bits) & read);
 
     let stage_3 = ["sample_1_", "sample_2_", "sample_3_"]
         .into_iter()
         .fold(contribution, |sample, name| sample.register(&mut m, config, name, bit(true)));
     let blend = blend(&mut m, config, &stage_3, &Pixel::unpack(config, stored));
-    m.drive(writes, last_stage.inside & blend.writes);
+    m.drive(changes, blend.writes);
     m.drive(result, blend.pixel.pack(config));
     let Issue { inside: accumulate, hazard, slot_wait, .. } = issue;
     PORTS.events.events(&mut m, config, AccumulatorEvents { accumulate, hazard, slot_wait });

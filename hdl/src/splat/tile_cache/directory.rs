@@ -3,6 +3,7 @@
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::IN_FLIGHT_BITS;
 
+use super::seeker::pick;
 use rtl::{Expr, Module, Reg, cat, lit};
 
 /// The state of one slot.
@@ -15,9 +16,8 @@ struct Slot {
     used: Reg,
     /// It is the next to be allocated.
     is_next: Expr,
-    /// Its tile is that of the copy to be placed, and that of the frame's tile to be sent.
+    /// Its tile is that of the copy to be placed.
     is_of_copy: Reg,
-    is_of_code: Reg,
 }
 
 /// The slot that holds a tile.
@@ -28,18 +28,16 @@ pub(super) struct Hit {
     pub slot: Expr,
 }
 
-/// The tiles that are looked up, a cycle before it matters where they are.
+/// The tile that is looked up, a cycle before it matters where it is.
 pub(super) struct Lookup {
     /// The tile of the copy to be placed.
     pub copy: Expr,
     /// A copy with tile `arriving` takes its place.
     pub takes: Expr,
     pub arriving: Expr,
-    /// The tile to be sent.
-    pub code: Expr,
 }
 
-/// The directory's registers and what they say about the tiles looked up.
+/// The directory's registers and what they say about the tile looked up.
 pub(super) struct Directory {
     slots: Vec<Slot>,
     next: Reg,
@@ -47,8 +45,8 @@ pub(super) struct Directory {
     pub copy: Hit,
     /// That slot can take one more copy.
     pub has_room: Expr,
-    /// Where the tile to be sent is.
-    pub sent: Hit,
+    /// Some slot holds a tile.
+    pub any_resident: Expr,
     /// The tile in the slot to be allocated next, if `next_resident`.
     pub next_tile: Expr,
     pub next_resident: Expr,
@@ -62,6 +60,10 @@ pub(super) struct Directory {
 pub(super) struct Changes {
     /// The next slot is given to the tile of the copy.
     pub allocate: Expr,
+    /// The next slot's tile is written back, and no other comes.
+    pub vacate: Expr,
+    /// Another slot's turn comes without either.
+    pub pass: Expr,
     /// The copy enters its slot.
     pub enter: Expr,
     /// A copy of `retire_slot` is done.
@@ -70,15 +72,6 @@ pub(super) struct Changes {
     /// The tile of `filled_slot` has arrived.
     pub filled: Expr,
     pub filled_slot: Expr,
-    /// The frame is over: no slot is ready any more.
-    pub close: Expr,
-    /// The frame has left: no slot holds a tile any more.
-    pub clear: Expr,
-}
-
-/// Of the values, the one whose condition is set, or 0 where none is.
-fn pick(width: u32, choices: impl Iterator<Item = (Expr, Expr)>) -> Expr {
-    choices.fold(lit(width, 0), |all, (condition, value)| all | (condition.repeat(width) & value))
 }
 
 impl Hit {
@@ -104,13 +97,11 @@ impl Directory {
                 used: m.reg_reset(&format!("used_{slot}"), 1, 0),
                 is_next: next.eq_lit(slot.into()),
                 is_of_copy: m.reg(&format!("is_of_copy_{slot}"), 1),
-                is_of_code: m.reg(&format!("is_of_code_{slot}"), 1),
             })
             .collect();
         let holds_copy: Vec<_> = slots.iter().map(|slot| slot.resident & slot.is_of_copy).collect();
-        let holds_code: Vec<_> = slots.iter().map(|slot| slot.resident & slot.is_of_code).collect();
         let copy = Hit::new(m, "copy", slot_bits, &holds_copy);
-        let sent = Hit::new(m, "sent", slot_bits, &holds_code);
+        let any_resident = m.wire("any_resident", cat(slots.iter().map(|slot| slot.resident)).any());
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
         let has_room = !pick(1, holds_copy.into_iter().zip(full));
         let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero() & !slot.used).collect();
@@ -120,7 +111,7 @@ impl Directory {
         let next_tile = of_next(tile_bits, |slot| *slot.tile);
         let next_resident = of_next(1, |slot| *slot.resident);
         let skips = m.wire("skips", of_next(1, |slot| *slot.used));
-        Self { slots, next, copy, has_room, sent, next_tile, next_resident, skips, next_idle }
+        Self { slots, next, copy, has_room, any_resident, next_tile, next_resident, skips, next_idle }
     }
 
     /// The slot to be allocated next.
@@ -135,9 +126,10 @@ impl Directory {
 
     /// States how the registers change.
     pub fn update(self, m: &mut Module, lookup: &Lookup, changes: &Changes) {
-        let last = self.next.eq_lit(self.slots.len() as u128 - 1) | changes.clear;
+        let last = self.next.eq_lit(self.slots.len() as u128 - 1);
         let next = last.mux(lit(self.next.width(), 0), self.next.add_lit(1));
-        m.next_if(self.next, (changes.allocate | self.skips) | changes.clear, next);
+        let starts = m.wire("starts", changes.allocate | changes.vacate);
+        m.next_if(self.next, (starts | self.skips) | changes.pass, next);
         for (number, slot) in self.slots.iter().enumerate() {
             let is = |other: Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & slot.is_next;
@@ -145,13 +137,13 @@ impl Directory {
             // A slot is given to a copy that stays.
             let is_of_copy = lookup.takes.mux(slot.tile.eq(lookup.arriving), slot.is_of_copy | allocated);
             m.next(slot.is_of_copy, is_of_copy);
-            m.next(slot.is_of_code, slot.tile.eq(lookup.code));
-            m.next_if(slot.resident, allocated | changes.clear, allocated);
+            let starts = starts & slot.is_next;
+            m.next_if(slot.resident, starts, allocated);
             let filled = changes.filled & is(changes.filled_slot);
-            m.next_if(slot.ready, filled | allocated | changes.close, filled);
+            m.next_if(slot.ready, filled | starts, filled);
             let enters = changes.enter & is(self.copy.slot);
             let leaves = changes.retire & is(changes.retire_slot);
-            m.next(slot.used, (enters | (slot.used & !slot.is_next)) & !changes.clear);
+            m.next(slot.used, enters | (slot.used & !slot.is_next));
             let count = enters.mux(slot.in_flight.add_lit(1), slot.in_flight.sub_lit(1));
             m.next_if(slot.in_flight, enters ^ leaves, count);
             m.assert(&format!("slot_{number}_retires_what_entered"), !leaves | slot.in_flight.any());

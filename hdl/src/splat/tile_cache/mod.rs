@@ -3,19 +3,22 @@
 
 mod directory;
 mod moves;
+mod seeker;
 mod state;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::config::PLACED_QUEUE_DEPTH;
-use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, Tile, TileCopy};
+use pointcore_contract::splat::config::{
+    PLACED_QUEUE_DEPTH, RUNS_ASKED_MAX, SLOT_BANKS, TILE_PIXELS, WRITE_QUEUE_DEPTH,
+};
+use pointcore_contract::splat::records::{PlacedCopy, SlotChange, TileCopy};
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
 use super::parts::share;
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Head;
 use crate::units::wires::Wires;
-use directory::{Changes, Directory, Hit, Lookup};
-use moves::{exchange, fill, push_pixels};
+use directory::{Changes, Directory, Lookup};
+use moves::exchange;
 use rtl::{Expr, Module, lit};
 use state::{Mode, State};
 
@@ -27,7 +30,7 @@ struct Placement {
 }
 
 /// Sends the head with its slot on a hit, starts a job on a miss.
-fn place(
+fn place_copy(
     m: &mut Module,
     config: &Config,
     state: &State,
@@ -47,130 +50,158 @@ fn place(
     Placement { send, send_end, start }
 }
 
-/// Steps through the modes; returns the cycles in which the frame starts to be sent and in which it is closed.
+/// Cycles in which something begins or ends.
+struct Steps {
+    /// A slot that loses its tile without getting another starts to be written back.
+    vacate: Expr,
+    /// Its turn passes without that.
+    pass: Expr,
+    /// The job's slot hears of its next tile.
+    change: Expr,
+    /// The job is done.
+    done: Expr,
+    /// The frame is closed.
+    close: Expr,
+    /// Codes of the frame's tiles move on.
+    advance: Expr,
+    /// One with pixels in memory does.
+    sends: Expr,
+}
+
+/// Steps through the modes, and through the places of tiles that are cleared or sent; there is `room` for a finished pixel, and
+/// samples may read banks.
 fn sequence(
     m: &mut Module,
     state: &State,
     placement: &Placement,
-    touched: Expr,
-    sent: &Hit,
-    room: Expr,
-) -> (Expr, Expr) {
+    directory: &Directory,
+    [room, sample_reads]: [Expr; 2],
+) -> Steps {
     let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
-    let finish = m.wire("finish", state.is(Mode::Wait) & (state.frame_ended & state.no_job()));
-    let close = m.wire("close", state.is(Mode::Close) & room);
-    let slot_sent = state.is(Mode::FromSlot) & (state.all_drained() & !state.holds_pixels());
-    let memory_sent = state.is(Mode::FromMemory) & state.all_drained();
-    let skipped = state.is(Mode::Check) & !touched;
-    let next_tile = m.wire("next_tile", slot_sent | memory_sent | skipped);
-    let clear = state.is(Mode::Clear);
-    let last = m.wire("last_place", state.place.all());
-    m.next_if(state.place, clear | next_tile, state.place.add_lit(1));
-    m.next(state.code_read, state.is(Mode::Look) & !state.code_read);
+    let flush = state.is(Mode::Flush);
+    let waits = m.wire("waits", state.is(Mode::Wait) & state.no_job());
+    let finish = m.wire("finish", waits & (state.frame_ended & !directory.any_resident));
+    let vacate = m.wire("vacate", waits & (directory.next_resident & directory.next_idle));
 
-    let source = sent.found.mux(mode(Mode::FromSlot), mode(Mode::FromMemory));
-    let following = last.mux(mode(Mode::Close), mode(Mode::Look));
+    let has_pixels = m.wire("has_pixels", state.seen & state.mask.any());
+    let advance = m.wire("advance", flush & (!has_pixels | state.wanted.is_empty));
+    let sends = m.wire("sends", advance & has_pixels);
+    let under_way = (state.walking | state.read) | state.seen;
+    let close = m.wire("close", (flush & !under_way) & (state.all_came() & room));
+    let (clear, last) = (state.is(Mode::Clear), m.wire("last_place", state.place.all()));
+    m.next_if(state.place, clear | (advance & state.walking), state.place.add_lit(1));
+    m.next_if(state.walking, finish | advance, finish | (state.walking & !last));
+    m.next_if(state.read, advance, state.walking);
+    m.next_if(state.read_place, advance, *state.place);
+    m.next_if(state.seen, advance, state.read);
+    m.next_if(state.seen_place, advance, *state.read_place);
+
     let changes = [
         ((clear & last) | close, mode(Mode::Run)),
         (placement.send_end, mode(Mode::Wait)),
-        (finish, mode(Mode::Look)),
-        (state.is(Mode::Look) & state.code_read, mode(Mode::Check)),
-        (next_tile, following),
-        (state.is(Mode::Check), source),
+        (finish, mode(Mode::Flush)),
     ];
     let next = changes.iter().rev().fold(state.mode.expr(), |next, (when, mode)| when.mux(*mode, next));
     m.next(state.mode, next);
-    (finish, close)
+    let frame_end = PORTS.frame_end.declare_word(m, 1);
+    m.next_if(state.frame_ended, frame_end | finish, frame_end);
+
+    let has_left = state.leaving.is_empty & state.owed.is_zero();
+    let change = m.wire("change", state.changing & !state.is_own_bank(sample_reads));
+    let done = m.wire("done", state.moving & (has_left & (state.all_came() & !state.filling)));
+    Steps { vacate, pass: waits & !finish, change, done, close, advance, sends }
 }
 
-/// Keeps what the job, or the tile that is sent, is about.
-fn follow_job(
-    m: &mut Module,
-    state: &State,
-    [start, done]: [Expr; 2],
-    touched: Expr,
-    directory: &Directory,
-    [tile, sent]: [Expr; 2],
-) {
+/// Keeps what the job is about.
+fn follow_job(m: &mut Module, state: &State, placement: &Placement, steps: &Steps, directory: &Directory, tile: Expr) {
+    let start = m.wire("job_starts", placement.start | steps.vacate);
     m.next(state.looking, start);
-    m.next(state.looked, state.looking);
-    m.next_if(state.moving, state.looked | done, state.looked);
-    m.next_if(state.load, state.looked, touched);
-    m.next_if(state.evict, start, directory.next_resident);
-    m.next_if(state.evict_tile, start, directory.next_tile);
-    let check = state.is(Mode::Check);
-    m.next_if(state.slot, start | check, check.mux(directory.sent.slot, directory.next_slot()));
-    m.next_if(state.tile, start | check, check.mux(sent, tile));
+    m.next_if(state.changing, state.looking | steps.change, state.looking);
+    m.next(state.changed, steps.change);
+    m.next_if(state.moving, state.changed | steps.done, state.changed);
+    m.next_if(state.slot, start, directory.next_slot());
+    m.next_if(state.comes, start, placement.start);
+    m.next_if(state.tile, start, tile);
+    m.next_if(state.goes, start, directory.next_resident);
+    m.next_if(state.goes_tile, start, directory.next_tile);
+}
+
+/// The memory of masks: by tile, which pixels the reconstruction buffer holds.
+fn stored_masks(m: &mut Module, config: &Config, state: &State, steps: &Steps, start: Expr, tile: Expr, written: Expr) {
+    let flush = state.is(Mode::Flush);
+    let masks = m.memory_unordered("stored_masks", 1 << config.place_bits(), TILE_PIXELS);
+    let address = flush.mux(state.place, share::place(config, tile));
+    let shown = m.read_if(masks, "stored_mask", start | steps.advance, address);
+    m.next_if(state.mask, state.looking | steps.advance, shown);
+
+    let clear = state.is(Mode::Clear);
+    let goes = m.wire("mask_is_kept", state.changed & state.goes);
+    let place = clear.mux(state.place, state.seen_place);
+    let write = goes | (clear | (steps.advance & state.seen));
+    let kept = goes.repeat(TILE_PIXELS) & written;
+    m.write(masks, write, goes.mux(share::place(config, *state.goes_tile), place), kept);
+}
+
+/// Items that its queues hold.
+#[derive(Clone, Copy)]
+pub struct Depths {
+    /// Copies with their slots.
+    pub placed: u32,
+    /// Runs of pixels that were asked for.
+    pub asked: u32,
+    /// Pixels that were read from a slot.
+    pub written: u32,
 }
 
 /// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    sized(config, 0, PLACED_QUEUE_DEPTH)
+    sized(config, Depths { placed: PLACED_QUEUE_DEPTH, asked: RUNS_ASKED_MAX, written: WRITE_QUEUE_DEPTH })
 }
 
-/// The unit that moves of a tile only the pixels from `first_pixel` on, with room for `ahead` copies behind it: a proof need not wait for
-/// 64 and 16 of them.
+/// The unit with queues of these depths: a proof need not wait for many items.
 #[must_use]
-pub fn sized(config: &Config, first_pixel: u32, ahead: u32) -> Module {
+pub fn sized(config: &Config, depths: Depths) -> Module {
     let mut m =
         Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
     let queued = PORTS.input.half(&mut m, config);
     let head = Head::new(&mut m, config, queued);
     let tile = head.record.tile;
-    let out = PORTS.out.deep(&mut m, config, ahead);
-    let state = State::new(&mut m, config, first_pixel);
-    let read_ready = PORTS.read.drive(&mut m, config, state.read_valid, Tile { tile: *state.tile });
-    let data = PORTS.data.declare(&mut m, config);
-    let write = PORTS.write.queue(&mut m, config);
+    let out = PORTS.out.deep(&mut m, config, depths.placed);
+    let state = State::new(&mut m, config, depths);
     let pixel = PORTS.pixel.queue(&mut m, config);
 
     let directory = Directory::new(&mut m, config);
     PORTS.slot_ready.drive_word(&mut m, directory.ready());
     let retire = PORTS.retire.declare(&mut m, config);
-    let frame_end = PORTS.frame_end.declare_word(&mut m, 1);
 
+    let placement = place_copy(&mut m, config, &state, &directory, &head, out);
+    let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
+    let change = SlotChange { slot: *state.slot, held };
+    PORTS.change.drive(&mut m, config, state.changing, change);
+    let sample_reads = PORTS.sample_reads.declare_word(&mut m, SLOT_BANKS);
+    let steps = sequence(&mut m, &state, &placement, &directory, [pixel.room, sample_reads]);
+    follow_job(&mut m, &state, &placement, &steps, &directory, tile);
+    let masks = PORTS.masks.declare(&mut m, config);
+    stored_masks(&mut m, config, &state, &steps, placement.start, tile, masks.written);
+    let begins = m.wire("begins", steps.sends | (steps.change & state.comes));
     let number = (config.rasterizers > 1).then(|| PORTS.number.declare_word(&mut m, config.rasterizer_bits()));
-    let sent = share::tile(config, number, *state.place);
-    let place_of = |tile| share::place(config, tile);
-    let touched_tiles = m.memory_unordered("touched_tiles", 1 << config.place_bits(), 1);
-    let look_at = state.is(Mode::Look).mux(state.place, place_of(tile));
-    let stored = m.read(touched_tiles, "stored_touched", look_at);
-    let touched = m.reg("touched", 1);
-    m.next(touched, stored);
-    let check = state.is(Mode::Check);
-    let touch = state.looked | (state.is(Mode::Clear) | (check & touched));
-    m.write(touched_tiles, touch, state.looked.mux(place_of(*state.tile), state.place), state.looked);
-
-    let placement = place(&mut m, config, &state, &directory, &head, out);
-    let fill_valid = m.reg_reset("fill_valid", 1, 0);
-    let moves = exchange(&mut m, &state, &data, &write, &pixel, fill_valid);
-    let (finish, close) = sequence(&mut m, &state, &placement, *touched, &directory.sent, pixel.room);
-    m.next_if(state.frame_ended, frame_end | finish, frame_end);
-    follow_job(&mut m, &state, [placement.start, moves.done], *touched, &directory, [tile, sent]);
-    let raise_read = touched & (state.looked | (check & !directory.sent.found));
-    m.next_if(state.read_valid, raise_read | read_ready, raise_read);
-
-    m.next(fill_valid, moves.fill);
-    let filling = fill(&mut m, config, &state, &moves, data.record);
-    PORTS.fill.drive(&mut m, config, fill_valid, filling);
-    let drained = SlotPixel { slot: *state.slot, pixel: state.drained.trunc(PIXEL_BITS) };
-    PORTS.drain.drive(&mut m, config, moves.step, drained);
-    let held = PORTS.drained.declare(&mut m, config);
-    push_pixels(&mut m, config, &state, &moves, (close, sent), [held, data.record], (write, pixel));
+    let seen_tile = share::tile(config, number, *state.seen_place);
+    m.next_if(state.wanted_tile, begins, steps.sends.mux(seen_tile, state.tile));
+    exchange(&mut m, config, &state, (pixel, steps.close), sample_reads, begins, masks.dirty);
 
     let changes = Changes {
         allocate: placement.start,
+        vacate: steps.vacate,
+        pass: steps.pass,
         enter: placement.send,
         retire: retire.valid,
         retire_slot: retire.record.slot,
-        filled: moves.done,
+        filled: steps.done & state.comes,
         filled_slot: *state.slot,
-        close: finish,
-        clear: close,
     };
-    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.tile, code: sent };
+    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.tile };
     directory.update(&mut m, &lookup, &changes);
     m
 }

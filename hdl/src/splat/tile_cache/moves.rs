@@ -1,92 +1,109 @@
-//! The tile cache's moves of pixels: out of a slot, into it, to the reconstruction buffer and to the output.
+//! The tile cache's moves of pixels: out of a slot to the reconstruction buffer, and from there into a slot or to the output.
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{Fill, FinishedPixel, PIXEL_BITS, Pixel, PlacedPixel, SlotPixel};
+use pointcore_contract::splat::records::{
+    Fill, FinishedPixel, LOCAL_BITS, PIXEL_BITS, PixelRun, PlacedPixel, RUN_BITS, SlotPixel,
+};
+use pointcore_contract::splat::units::tile_cache::PORTS;
 
-use super::state::{COUNT_BITS, Mode, State};
-use crate::units::ports::{Flow, QueueOut, held};
-use crate::units::wires::{Bundle, Wires};
-use rtl::{Expr, Module, Reg, lit};
+use super::state::{Mode, State};
+use crate::stream::fifo_distributed;
+use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort, held};
+use crate::units::queue::Pushed;
+use crate::units::wires::{Bundle, Wires, layout};
+use rtl::{Expr, Module, lit};
 
-/// Moves of pixels between slot, reconstruction buffer and output.
-pub(super) struct Moves {
-    /// The pixels that are shown and held move on, and one is read.
-    pub step: Expr,
-    /// The one that is held is pushed to the queue it is for.
-    pub leaves: Expr,
-    /// A beat of the data stream is taken.
-    pub beat: Expr,
-    /// A pixel is filled.
-    pub fill: Expr,
-    /// The job is done.
-    pub done: Expr,
+/// Asks memory for the pixels that are wanted, a run a cycle; returns the runs that were asked for, in order, and the bits of the row
+/// that are asked for in this cycle.
+fn ask(m: &mut Module, config: &Config, state: &State) -> (Flow<PixelRun<Wires>>, Expr, Expr) {
+    let read = PORTS.read.queue(m, config);
+    let queue = fifo_distributed(state.depths.asked, &layout::<PixelRun>(config));
+    let (runs, asked) = Pushed::<PixelRun>::place(m, config, "asked_runs", queue);
+    let found = state.wanted.found(m);
+    let asks = m.wire("asks", found.any & (read.room & runs.room));
+    let run = PixelRun { tile: *state.wanted_tile, pixel: found.pixel, count: found.count };
+    read.push(m, config, asks, run);
+    runs.push(m, config, asks, run);
+    (asked, asks, asks.repeat(found.run.width()) & found.run)
 }
 
-/// Drains a slot, for eviction or for the frame, and fills it.
-pub(super) fn exchange(
-    m: &mut Module,
-    state: &State,
-    data: &Flow<Pixel<Wires>>,
-    write: &QueueOut<PlacedPixel>,
-    pixel: &QueueOut<FinishedPixel>,
-    fill_valid: Reg,
-) -> Moves {
-    let (from_slot, from_memory) = (state.is(Mode::FromSlot), state.is(Mode::FromMemory));
-    let draining = m.wire("draining", from_slot | (state.moving & state.evict));
-    let room = from_slot.mux(pixel.room, write.room);
-    let step = m.wire("drain_step", draining & (!state.holding | room));
-    let drain_next = m.wire("drain_next", step & !state.all_drained());
-    m.next_if(state.showing, step, drain_next);
-    m.next_if(state.shown_pixel, drain_next, state.drained.trunc(PIXEL_BITS));
-    m.next_if(state.holding, step, state.showing);
-    m.next_if(state.held_pixel, step, state.shown_pixel);
-    let leaves = m.wire("held_leaves", state.holding & step);
+/// Reads pixels that leave out of the slot, and writes them; returns the bit of the row that is read in this cycle.
+fn drain(m: &mut Module, config: &Config, state: &State, sample_reads: Expr) -> Expr {
+    let found = state.leaving.found(m);
+    let has_room = !state.owed.eq_lit(state.depths.written.into());
+    let offers = m.wire("offers_drain", state.moving & (found.any & has_room));
+    PORTS.drain.drive(m, config, offers, SlotPixel { slot: *state.slot, pixel: found.pixel });
+    let drains = m.wire("drains", offers & !state.is_own_bank(sample_reads));
 
-    let vacated = !state.evict | state.filled.lt(state.drained);
-    let may_fill = m.wire("may_fill", state.moving & (!state.filled.msb() & vacated));
-    let memory_step = from_memory & (pixel.room & !state.all_drained());
-    let data_ready = m.wire("take_data", (may_fill & state.load) | memory_step);
-    m.drive(data.ready, data_ready);
-    let beat = m.wire("beat", data_ready & data.valid);
-    let fill = m.wire("fill", may_fill & (!state.load | data.valid));
-
-    let evicted = !state.evict | (state.all_drained() & !(state.holds_pixels() | write.holds));
-    let done = m.wire("done", state.moving & (state.filled.msb() & (!fill_valid & evicted)));
-    let begin = state.looked | state.is(Mode::Check);
-    let first = lit(COUNT_BITS, state.first_pixel.into());
-    let drains = drain_next | (from_memory & beat);
-    m.next_if(state.drained, begin | drains, begin.mux(first, state.drained.add_lit(1)));
-    m.next_if(state.filled, begin | fill, begin.mux(first, state.filled.add_lit(1)));
-    Moves { step, leaves, beat, fill, done }
+    let queue = fifo_distributed(state.depths.written, &layout::<PlacedPixel>(config));
+    let (pixels, write) = Pushed::<PlacedPixel>::place(m, config, "write_queue", queue);
+    let drained = PORTS.drained.declare(m, config);
+    m.assert("drained_pixels_find_room", !drained.valid | pixels.room);
+    let place = PlacedPixel { tile: *state.goes_tile, pixel: drained.record.pixel, value: drained.record.value };
+    pixels.push(m, config, drained.valid, place);
+    let leaves = m.wire("pixel_leaves", write.transfer());
+    PORTS.write.export(m, config, write);
+    let width = state.owed.width();
+    m.next(state.owed, state.owed + drains.zext(width) - leaves.zext(width));
+    drains.repeat(found.first.width()) & found.first
 }
 
-/// What is written to the slot, a cycle after a pixel came.
-pub(super) fn fill(m: &mut Module, config: &Config, state: &State, moves: &Moves, data: Pixel<Wires>) -> Fill<Wires> {
-    let pixel = held(m, "fill_pixel", moves.fill, state.filled.trunc(PIXEL_BITS));
-    let value = Bundle::choose(config, *state.load, data, Bundle::zeros(config));
-    let value = value.register(m, config, "fill_", moves.fill);
-    Fill { place: SlotPixel { slot: *state.slot, pixel }, value }
-}
-
-/// Pushes pixels to the reconstruction buffer and, at the end of the frame, those that are visible to the output.
-pub(super) fn push_pixels(
+/// Takes pixels that come, into the slot or to the output, which `close` ends; returns whether a run's last one does.
+fn take(
     m: &mut Module,
     config: &Config,
     state: &State,
-    moves: &Moves,
-    (close, tile): (Expr, Expr),
-    [held, data]: [Pixel<Wires>; 2],
-    (write, pixel): (QueueOut<PlacedPixel>, QueueOut<FinishedPixel>),
+    asked: &Flow<PixelRun<Wires>>,
+    pixel: QueueOut<FinishedPixel>,
+    close: Expr,
+) -> Expr {
+    let flush = state.is(Mode::Flush);
+    let data = PORTS.data.declare(m, config);
+    let run = asked.record;
+    let place = m.wire("coming_pixel", run.pixel + state.came.zext(PIXEL_BITS));
+    let row = run.pixel.bits(PIXEL_BITS - 1, LOCAL_BITS);
+    let vacated = state.leaving.is_empty | state.leaving.is_behind(row);
+    let fills = m.wire("fills", state.filling & !state.is_own_bank(*state.taken_banks));
+    let may_fill = m.wire("may_fill", (state.moving & vacated) & (!state.filling | fills));
+    let takes = m.wire("takes_data", asked.valid & flush.mux(pixel.room, may_fill));
+    m.drive(data.ready, takes);
+    let beat = m.wire("beat", takes & data.valid);
+    let next = m.wire("came_now", state.came.zext(RUN_BITS).add_lit(1));
+    let ends = m.wire("run_ends", beat & next.eq(run.count));
+    m.drive(asked.ready, ends);
+    m.next_if(state.came, beat, ends.mux(lit(LOCAL_BITS, 0), next.trunc(LOCAL_BITS)));
+
+    let fill = beat & !flush;
+    m.next(state.filling, fill | (state.filling & !fills));
+    let filled = held(m, "fill_pixel", fill, place);
+    let value = data.record.register(m, config, "fill_", fill);
+    let filled = SlotPixel { slot: *state.slot, pixel: filled };
+    PORTS.fill.drive(m, config, *state.filling, Fill { place: filled, value });
+
+    let sent = PlacedPixel { tile: run.tile, pixel: place, value: data.record };
+    let visible = m.wire("visible", (flush & beat) & data.record.weight.any());
+    pixel.push(m, config, close | visible, FinishedPixel { end: close, placed: sent });
+    ends
+}
+
+/// Moves pixels between slot, reconstruction buffer and output: those of `mask` are asked for once `begins` is set, those of `dirty`
+/// leave the slot when it has shown them.
+pub(super) fn exchange(
+    m: &mut Module,
+    config: &Config,
+    state: &State,
+    (pixel, close): (QueueOut<FinishedPixel>, Expr),
+    sample_reads: Expr,
+    begins: Expr,
+    dirty: Expr,
 ) {
-    let evicted = PlacedPixel { tile: *state.evict_tile, pixel: *state.held_pixel, value: held };
-    write.push(m, config, state.moving & moves.leaves, evicted);
-    let from_slot = state.is(Mode::FromSlot);
-    let sent = PlacedPixel {
-        tile,
-        pixel: from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS)),
-        value: Bundle::choose(config, from_slot, held, data),
-    };
-    let sends = (from_slot & moves.leaves) | (state.is(Mode::FromMemory) & moves.beat);
-    let visible = m.wire("visible", sent.value.weight.any());
-    pixel.push(m, config, close | (sends & visible), FinishedPixel { end: close, placed: sent });
+    let banks = PORTS.sample_writes.declare_word(m, state.taken_banks.width());
+    m.next(state.taken_banks, banks);
+    let (asked, asks, asked_bits) = ask(m, config, state);
+    state.wanted.update(m, begins, *state.mask, asked_bits);
+    let drained_bits = drain(m, config, state, sample_reads);
+    state.leaving.update(m, state.changed & state.goes, dirty, drained_bits);
+    let ends = take(m, config, state, &asked, pixel, close);
+    let width = state.awaited.width();
+    m.next(state.awaited, state.awaited + asks.zext(width) - ends.zext(width));
 }

@@ -1,90 +1,99 @@
 //! The tile cache's modes and registers.
 
+use super::Depths;
+use super::seeker::Seeker;
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::PIXEL_BITS;
+use pointcore_contract::splat::config::{SLOT_BANKS, TILE_PIXELS};
+use pointcore_contract::splat::records::LOCAL_BITS;
 use rtl::{Expr, Module, Reg, address_width};
-
-/// Bits of a number of pixels of a tile, all of them included; the top bit says that all are done.
-pub(super) const COUNT_BITS: u32 = PIXEL_BITS + 1;
 
 /// What the unit is about.
 #[derive(Clone, Copy)]
 pub(super) enum Mode {
-    /// Clears the memory of touched tiles after reset.
+    /// Clears the memory of masks after reset.
     Clear,
     /// Places copies.
     Run,
-    /// Waits until the frame's last samples are accumulated.
+    /// Waits until the frame's last samples are accumulated, and writes slots back.
     Wait,
-    /// Sends the frame: reads whether the next tile was touched.
-    Look,
-    /// Finds out where that tile is.
-    Check,
-    /// Sends the tile in a slot.
-    FromSlot,
-    /// Sends the tile in the reconstruction buffer.
-    FromMemory,
-    /// Sends the end of the frame.
-    Close,
+    /// Sends the frame.
+    Flush,
 }
 
 /// Registers of the unit.
 pub(super) struct State {
-    /// The pixel that moves of a tile begin with.
-    pub first_pixel: u32,
+    pub depths: Depths,
     pub mode: Reg,
     pub frame_ended: Reg,
-    /// The place of the tile that is cleared or sent, among those of the rasterizer.
+    /// The place of the tile that is cleared, or whose mask is read to send the frame while `walking`: among those of the rasterizer.
     pub place: Reg,
-    /// Whether that tile was touched is in the memory's output.
-    pub code_read: Reg,
-    /// The job of a tile that was missed: first a look, two cycles long, at whether the tile was touched, then the exchange.
+    pub walking: Reg,
+    /// The place whose mask the memory shows.
+    pub read: Reg,
+    pub read_place: Reg,
+    /// The place whose mask is in `mask`.
+    pub seen: Reg,
+    pub seen_place: Reg,
+    pub mask: Reg,
+    /// The job of a slot that loses its tile, step by step: its next tile's mask is read, the slot is told, it shows what it held, and
+    /// pixels move.
     pub looking: Reg,
-    pub looked: Reg,
+    pub changing: Reg,
+    pub changed: Reg,
     pub moving: Reg,
     pub slot: Reg,
+    /// A tile comes, and which.
+    pub comes: Reg,
     pub tile: Reg,
-    pub read_valid: Reg,
-    /// The slot holds a tile that has to be written back first.
-    pub evict: Reg,
-    pub evict_tile: Reg,
-    /// The tile comes from the reconstruction buffer; otherwise it is new and starts with zeros.
-    pub load: Reg,
-    /// Pixels read from the slot, or from the reconstruction buffer when the frame is sent.
-    pub drained: Reg,
-    /// A pixel was read, and which.
-    pub showing: Reg,
-    pub shown_pixel: Reg,
-    /// A pixel that was shown is held at the drain port, and which.
-    pub holding: Reg,
-    pub held_pixel: Reg,
-    pub filled: Reg,
+    /// A tile goes, and which.
+    pub goes: Reg,
+    pub goes_tile: Reg,
+    /// Pixels to be asked for, and of which tile.
+    pub wanted: Seeker,
+    pub wanted_tile: Reg,
+    /// Runs that were asked for and have not come, and how many pixels of the oldest have.
+    pub awaited: Reg,
+    pub came: Reg,
+    /// A pixel that came waits for its bank.
+    pub filling: Reg,
+    /// Banks that samples may write in this cycle.
+    pub taken_banks: Reg,
+    /// Pixels to be read from the slot, and how many were and are not written yet.
+    pub leaving: Seeker,
+    pub owed: Reg,
 }
 
 impl State {
-    pub fn new(m: &mut Module, config: &Config, first_pixel: u32) -> Self {
-        let tile_bits = config.tile_bits();
+    pub fn new(m: &mut Module, config: &Config, depths: Depths) -> Self {
+        let (tile_bits, place_bits) = (config.tile_bits(), config.place_bits());
         Self {
-            first_pixel,
-            mode: m.reg_reset("mode", address_width(Mode::Close as u32 + 1), Mode::Clear as u128),
+            depths,
+            mode: m.reg_reset("mode", address_width(Mode::Flush as u32 + 1), Mode::Clear as u128),
             frame_ended: m.reg_reset("frame_ended", 1, 0),
-            place: m.reg_reset("place", config.place_bits(), 0),
-            code_read: m.reg_reset("code_read", 1, 0),
+            place: m.reg_reset("place", place_bits, 0),
+            walking: m.reg_reset("walking", 1, 0),
+            read: m.reg_reset("place_read", 1, 0),
+            read_place: m.reg("read_place", place_bits),
+            seen: m.reg_reset("place_seen", 1, 0),
+            seen_place: m.reg("seen_place", place_bits),
+            mask: m.reg("mask", TILE_PIXELS),
             looking: m.reg_reset("looking", 1, 0),
-            looked: m.reg_reset("looked", 1, 0),
+            changing: m.reg_reset("changing", 1, 0),
+            changed: m.reg_reset("changed", 1, 0),
             moving: m.reg_reset("moving", 1, 0),
             slot: m.reg("slot", config.slot_bits()),
-            tile: m.reg("read_tile", tile_bits),
-            read_valid: m.reg_reset("read_valid", 1, 0),
-            evict: m.reg("evict", 1),
-            evict_tile: m.reg("evict_tile", tile_bits),
-            load: m.reg("load", 1),
-            drained: m.reg("drained", COUNT_BITS),
-            showing: m.reg_reset("showing", 1, 0),
-            shown_pixel: m.reg("shown_pixel", PIXEL_BITS),
-            holding: m.reg_reset("holding", 1, 0),
-            held_pixel: m.reg("held_pixel", PIXEL_BITS),
-            filled: m.reg("filled", COUNT_BITS),
+            comes: m.reg("comes", 1),
+            tile: m.reg("tile", tile_bits),
+            goes: m.reg("goes", 1),
+            goes_tile: m.reg("goes_tile", tile_bits),
+            wanted: Seeker::new(m, "wanted"),
+            wanted_tile: m.reg("wanted_tile", tile_bits),
+            awaited: m.reg_reset("awaited", address_width(depths.asked + 1), 0),
+            came: m.reg_reset("came", LOCAL_BITS, 0),
+            filling: m.reg_reset("filling", 1, 0),
+            taken_banks: m.reg_reset("taken_banks", SLOT_BANKS, 0),
+            leaving: Seeker::new(m, "leaving"),
+            owed: m.reg_reset("owed", address_width(depths.written + 1), 0),
         }
     }
 
@@ -92,17 +101,18 @@ impl State {
         self.mode.eq_lit(mode as u128)
     }
 
-    pub fn all_drained(&self) -> Expr {
-        self.drained.msb()
-    }
-
-    /// Pixels that were read are on their way.
-    pub fn holds_pixels(&self) -> Expr {
-        self.showing | self.holding
-    }
-
-    /// No tile is on its way.
+    /// No slot changes its tile.
     pub fn no_job(&self) -> Expr {
-        !((self.looking | self.looked) | self.moving)
+        !((self.looking | self.changing) | (self.changed | self.moving))
+    }
+
+    /// All runs that were wanted were asked for and have come.
+    pub fn all_came(&self) -> Expr {
+        self.wanted.is_empty & self.awaited.is_zero()
+    }
+
+    /// Whether a bank of these is that of the job's slot.
+    pub fn is_own_bank(&self, banks: Expr) -> Expr {
+        banks.shr_by(self.slot.trunc(SLOT_BANKS.ilog2())).bit(0)
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{FinishedPixel, Pixel, PlacedPixel, Tile};
+use pointcore_contract::splat::records::{FinishedPixel, Pixel, PixelRun, PlacedPixel};
 use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents, collector, distributor, lane};
 use pointcore_contract::unit::{In, Out};
 
@@ -35,7 +35,7 @@ pub(super) struct Node {
 
 /// A collector's ports to one of its sides.
 struct Side {
-    read: In<Tile>,
+    read: In<PixelRun>,
     data: Out<Pixel>,
     write: In<PlacedPixel>,
     pixel: In<FinishedPixel>,

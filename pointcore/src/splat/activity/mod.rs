@@ -22,8 +22,8 @@ use states::{MemoryPort, States};
 pub struct Activity {
     layout: Layout,
     timeline: Timeline,
-    /// By tile: how often it was written back for another.
-    evictions: Vec<u32>,
+    /// By tile: how many of its pixels were written back.
+    written_back: Vec<u32>,
     states: States,
     /// Absent where only ports are seen.
     samples: Option<SampleMaps>,
@@ -34,11 +34,11 @@ impl Activity {
     #[must_use]
     pub fn at_ports(config: &Config) -> Self {
         let layout = Layout::new(config);
-        let evictions = layout.zeros_by_tile();
+        let written_back = layout.zeros_by_tile();
         Self {
             layout,
             timeline: Timeline::new(config.rasterizers),
-            evictions,
+            written_back,
             states: States::new(config),
             samples: None,
         }
@@ -54,14 +54,14 @@ impl Activity {
     pub fn see_ports(&mut self, inputs: &In, outputs: &Out) {
         let Out { read, data_ready, write, events, .. } = outputs;
         let write = write.as_ref();
-        self.see_eviction(inputs, write);
+        self.see_write(inputs, write);
         let memory = MemoryPort { inputs, is_reading: read.is_some(), data_ready: *data_ready, write };
         self.timeline.push(&states::at_ports(&memory, events, self.timeline.count(Unit::Rasterizer)));
     }
 
     /// Sees a cycle of all units.
     pub fn see_units(&mut self, inputs: &In, shown: &Shown) {
-        self.see_eviction(inputs, shown.lanes.ports().write.as_ref());
+        self.see_write(inputs, shown.lanes.ports().write.as_ref());
         self.timeline.push(&self.states.see(inputs, shown));
         let Some(samples) = &mut self.samples else { return };
         for (number, lane) in shown.lanes.lanes.iter().enumerate() {
@@ -81,10 +81,9 @@ impl Activity {
         }
     }
 
-    /// A tile is written back from its first pixel to its last.
-    fn see_eviction(&mut self, inputs: &In, write: Option<&PlacedPixel>) {
-        if let Some(write) = write.filter(|write| inputs.write_ready && write.pixel == 0) {
-            self.evictions[write.tile as usize] += 1;
+    fn see_write(&mut self, inputs: &In, write: Option<&PlacedPixel>) {
+        if let Some(write) = write.filter(|_| inputs.write_ready) {
+            self.written_back[write.tile as usize] += 1;
         }
     }
 
@@ -106,10 +105,10 @@ impl Activity {
         self.samples.as_ref()
     }
 
-    /// How often each tile was written back to the reconstruction buffer for another, as an image of tiles.
+    /// How many pixels of each tile were written back to the reconstruction buffer, as an image of tiles.
     #[must_use]
-    pub fn evictions(&self) -> Map {
-        self.layout.by_tile(&self.evictions)
+    pub fn written_back(&self) -> Map {
+        self.layout.by_tile(&self.written_back)
     }
 }
 

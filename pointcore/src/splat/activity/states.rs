@@ -204,7 +204,7 @@ impl Lane {
 pub(super) struct MemoryPort<'a> {
     /// What the core sees of it.
     pub inputs: &'a In,
-    /// A tile is requested.
+    /// Pixels are requested.
     pub is_reading: bool,
     /// A pixel is wanted.
     pub data_ready: bool,

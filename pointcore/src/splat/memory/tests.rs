@@ -6,6 +6,11 @@ fn config() -> Config {
     Config { width: 16, height: 8, continuous: 6, ..Config::default() }
 }
 
+/// All pixels of a tile.
+const fn whole(tile: u32) -> PixelRun {
+    PixelRun { tile, pixel: 0, count: TILE_PIXELS as u8 }
+}
+
 fn value(pixel: u8) -> Pixel {
     Pixel { weight: 100 + u32::from(pixel), ..Pixel::default() }
 }
@@ -43,7 +48,7 @@ fn read(buffer: &mut ReconstructionBuffer, runs: &[PixelRun], now: u64) -> Vec<(
 fn reads_return_what_was_written_after_the_latency_a_pixel_a_cycle() {
     let (mut buffer, last) = written(MemorySettings { latency_cycles: 3, ..ReconstructionBuffer::SETTINGS });
     assert_eq!(last, 63, "a write a cycle");
-    let seen = read(&mut buffer, &[PixelRun::whole(1), PixelRun::whole(0)], 100);
+    let seen = read(&mut buffer, &[whole(1), whole(0)], 100);
     let expected = (0..64).map(|pixel| (3 + pixel, 100 + pixel as u32)).chain((64..128).map(|pixel| (3 + pixel, 0)));
     assert_eq!(seen, expected.collect::<Vec<_>>());
     let traffic = buffer.traffic();
@@ -54,7 +59,7 @@ fn reads_return_what_was_written_after_the_latency_a_pixel_a_cycle() {
 #[test]
 fn a_run_of_any_length_is_read() {
     let (mut buffer, _) = written(MemorySettings { latency_cycles: 5, ..ReconstructionBuffer::SETTINGS });
-    let runs = [PixelRun { tile: 1, first: 7, count: 3 }, PixelRun { tile: 1, first: 63, count: 1 }];
+    let runs = [PixelRun { tile: 1, pixel: 7, count: 3 }, PixelRun { tile: 1, pixel: 63, count: 1 }];
     assert_eq!(read(&mut buffer, &runs, 100), [(5, 107), (6, 108), (7, 109), (8, 163)]);
 }
 
@@ -69,7 +74,7 @@ fn reads_and_writes_share_a_bandwidth() {
     let (mut buffer, last) = written(settings(0.5));
     assert_eq!(last, 126, "a write every second cycle");
     // A read in the midst of writes waits for the bus, and they for the read.
-    buffer.request(PixelRun::whole(0), 200);
+    buffer.request(whole(0), 200);
     buffer.advance(201);
     assert!(!buffer.is_writable(201) && !buffer.is_writable(328) && buffer.is_writable(329));
     assert_eq!(buffer.traffic().busy_cycles, 256);
@@ -83,6 +88,6 @@ fn bursts_are_moved_whole_and_once() {
     let tile = (64 * u64::from(pixel_bytes(&config()))).next_multiple_of(64);
     let (mut buffer, _) = written(settings);
     assert_eq!(buffer.traffic().bytes, tile, "pixels of a burst share it");
-    read(&mut buffer, &[PixelRun { tile: 1, first: 2, count: 1 }], 100);
+    read(&mut buffer, &[PixelRun { tile: 1, pixel: 2, count: 1 }], 100);
     assert_eq!(buffer.traffic().bytes, tile + 64, "a single pixel takes a burst");
 }

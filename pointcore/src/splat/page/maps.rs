@@ -58,9 +58,13 @@ fn maps(activity: &Activity) -> Vec<Titled> {
             ("Hazards", "Cycles in which a sample waits for an earlier one of the same pixel.", samples.hazards()),
         ]
     });
-    let evictions = ("Evictions", "How often a tile leaves the tile cache for another.", activity.evictions());
+    let written_back = (
+        "Pixels written back",
+        "Pixels of a tile that leave the tile cache for the reconstruction buffer.",
+        activity.written_back(),
+    );
     let mut maps: Vec<_> = samples.map(|(title, meaning, map)| Titled { title, meaning, cell: 1, map }).collect();
-    let (title, meaning, map) = evictions;
+    let (title, meaning, map) = written_back;
     maps.push(Titled { title, meaning, cell: TILE_SIZE, map });
     maps
 }
@@ -72,7 +76,7 @@ pub fn add(page: Page, activity: &Activity) -> Page {
         "Counts by pixel of the reconstruction buffer, seen in the streams between the units of the golden model, which keeps step with the hardware in every cycle. \
          Each has a color scale of its own."
     } else {
-        "Hardware without its golden model shows its ports alone: evictions are seen there. Samples, overdraw and hazards by place need \
+        "Hardware without its golden model shows its ports alone: pixels written back are seen there. Samples, overdraw and hazards by place need \
          the model: run with --model golden, or in lockstep without a waveform."
     };
     let mut html = String::new();

@@ -1,0 +1,102 @@
+//! Finds the pixels of a mask, row by row: what it shows comes from the few bits of one row, and the next row is chosen meanwhile.
+
+use pointcore_contract::splat::config::{TILE_PIXELS, TILE_SIZE};
+use pointcore_contract::splat::records::{LOCAL_BITS, RUN_BITS};
+
+use rtl::{Expr, Module, Reg, bit, cat, lit};
+
+/// A mask of which pixels are found: the rows that were not begun, and what is left of the one that was.
+pub(super) struct Seeker {
+    name: &'static str,
+    rest: Reg,
+    row: Reg,
+    left: Reg,
+    /// No pixel is left.
+    pub is_empty: Expr,
+}
+
+/// The first pixels that are left.
+pub(super) struct Found {
+    /// There are some.
+    pub any: Expr,
+    /// The index of the first in its tile.
+    pub pixel: Expr,
+    /// A bit of the row for that one.
+    pub first: Expr,
+    /// A bit of the row for each that follows without a gap, the first included.
+    pub run: Expr,
+    /// How many these are.
+    pub count: Expr,
+}
+
+/// Of the values, the one whose condition is set, or 0 where none is.
+pub(super) fn pick(width: u32, choices: impl Iterator<Item = (Expr, Expr)>) -> Expr {
+    choices.fold(lit(width, 0), |all, (condition, value)| all | (condition.repeat(width) & value))
+}
+
+/// Of the bits, the lowest that is set.
+fn lowest(bits: &[Expr]) -> Vec<Expr> {
+    let below = |place: usize| bits[..place].iter().copied().reduce(|any, bit| any | bit);
+    (0..bits.len()).map(|place| below(place).map_or(bits[place], |below| bits[place] & !below)).collect()
+}
+
+/// The number of the bit that is set.
+fn number(width: u32, bits: impl IntoIterator<Item = Expr>) -> Expr {
+    pick(width, bits.into_iter().zip(0..).map(|(bit, number)| (bit, lit(width, number))))
+}
+
+impl Seeker {
+    /// Declares the registers.
+    pub fn new(m: &mut Module, name: &'static str) -> Self {
+        let rest = m.reg_reset(&format!("{name}_rest"), TILE_PIXELS, 0);
+        let row = m.reg(&format!("{name}_row"), LOCAL_BITS);
+        let left = m.reg_reset(&format!("{name}_left"), TILE_SIZE, 0);
+        let is_empty = m.wire(&format!("{name}_is_empty"), rest.is_zero() & left.is_zero());
+        Self { name, rest, row, left, is_empty }
+    }
+
+    /// Whether the row in which pixels are found comes behind another.
+    pub fn is_behind(&self, row: Expr) -> Expr {
+        self.left.any() & row.lt(self.row)
+    }
+
+    /// What it shows; to be called once.
+    pub fn found(&self, m: &mut Module) -> Found {
+        let name = self.name;
+        let left: Vec<_> = (0..TILE_SIZE).map(|place| self.left.bit(place)).collect();
+        let first = lowest(&left);
+        let mut run = vec![first[0]];
+        for place in 1..left.len() {
+            run.push(left[place] & (first[place] | run[place - 1]));
+        }
+        // The place behind a run tells its length.
+        let ends = (0..run.len()).map(|place| run.get(place + 1).map_or(run[place], |next| run[place] & !*next));
+        let end = number(RUN_BITS, std::iter::once(bit(false)).chain(ends));
+        let place = m.wire(&format!("{name}_place"), number(LOCAL_BITS, first.iter().copied()));
+        let count = m.wire(&format!("{name}_count"), end - place.zext(RUN_BITS));
+        let run = m.wire(&format!("{name}_run"), cat(run.into_iter().rev()));
+        Found {
+            any: self.left.any(),
+            pixel: cat([self.row.expr(), place]),
+            first: cat(first.into_iter().rev()),
+            run,
+            count,
+        }
+    }
+
+    /// States how the registers change: it takes a mask in cycles where `begins` is set, or loses the pixels `taken` of its row.
+    pub fn update(&self, m: &mut Module, begins: Expr, mask: Expr, taken: Expr) {
+        let name = self.name;
+        let row = |place: u32| self.rest.bits(TILE_SIZE * place + TILE_SIZE - 1, TILE_SIZE * place);
+        let rows = TILE_PIXELS / TILE_SIZE;
+        let has_pixels: Vec<_> = (0..rows).map(|place| row(place).any()).collect();
+        let next: Vec<_> = lowest(&has_pixels);
+        let next_left = pick(TILE_SIZE, next.iter().copied().zip((0..rows).map(row)));
+        let left = self.left & !taken;
+        let ends = m.wire(&format!("{name}_row_ends"), left.is_zero());
+        let chosen = cat(next.iter().rev().map(|bit| bit.repeat(TILE_SIZE)));
+        m.next(self.left, ends.mux(next_left, left));
+        m.next_if(self.row, ends, number(LOCAL_BITS, next.iter().copied()));
+        m.next_if(self.rest, begins | ends, begins.mux(mask, self.rest & !chosen));
+    }
+}
