@@ -5,7 +5,7 @@ use super::frames::{Frame, HardCases, Lens, frames};
 use super::pace::Paces;
 use super::surroundings::{Idle, Pending, Surroundings, Watch, resets};
 use crate::memory::MemorySettings;
-use crate::splat::memory::{PixelRun, ReconstructionBuffer};
+use crate::splat::memory::ReconstructionBuffer;
 use fastrand::Rng;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::UniformWrite;
