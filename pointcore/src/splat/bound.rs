@@ -70,7 +70,8 @@ mod tests {
         };
         let cycles = |config| bounds(config, &fates, &counters).map(|bound| bound.cycles);
         assert_eq!(cycles(&config), [100, 60, 120, 42, 60, 64]);
-        assert_eq!(cycles(&Config { rasterizers: 2, ..config.clone() })[..3], [50, 60, 60]);
+        let two = Config { rasterizers: 2, ..config.clone() };
+        assert_eq!(cycles(&two)[..3], [50, 60, 60]);
         let lists = Config { reorder: Reordering::Lists, ..config };
         assert_eq!(cycles(&lists)[2], 60);
         assert_eq!(cycles(&Config { payload_beats: 4, ..lists })[2], 120);

@@ -31,7 +31,7 @@ pub struct SplatReport {
     /// Cycles from the first splat to the end of the frame.
     pub cycles: u64,
     /// Cycles that every resource would take for the frame if it never waited.
-    pub bounds: [FrameBound; 5],
+    pub bounds: [FrameBound; 6],
     /// The one that takes most: no frame ends sooner.
     pub bound: FrameBound,
     /// The bound's share of the cycles.
