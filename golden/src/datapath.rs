@@ -1,93 +1,148 @@
 //! `Datapath`: when results of a compiled arithmetic pipeline become visible, cycle by cycle.
 //!
 //! The arithmetic itself is the caller's: it computes a token's result when the token is accepted and hands it over; the
-//! model delays it. A pipeline has `latency` stages that step together, and a queue of [`QUEUE_ENTRIES`] behind them; it
-//! steps whenever the queue, as it was at the start of the cycle, has room. A phase counter of `initiation_interval`
-//! states starts at 0 after reset and steps with the pipeline; a token enters in phase 0 only.
+//! model delays it. A pipeline has `latency` stages that step in every cycle, and never holds a token back: behind it
+//! stands a queue with a place for each token that may be under way. A token may enter while there is a credit, which it
+//! takes along and gives back when it leaves the queue or is dropped in front of it. A phase counter of
+//! `initiation_interval` states starts at 0 after reset; a token enters in phase 0 only. Where results are always taken,
+//! there is neither queue nor credit.
 //!
 //! ```
-//! use pointcore_golden::datapath::Datapath;
+//! use pointcore_golden::datapath::{Datapath, Token};
 //!
 //! let mut datapath = Datapath::new(2, 1);
 //! let input = 20;
 //! assert!(datapath.in_ready());
-//! datapath.step(Some(input + 1), true);
-//! for _ in 0..2 {
+//! datapath.step(Some(Token::Kept(input + 1)), true);
+//! for _ in 0..3 {
 //!     assert_eq!(datapath.out(), None);
 //!     datapath.step(None, true);
 //! }
 //! assert_eq!(datapath.out(), Some(&21));
 //! ```
 
+use crate::stream::Fifo;
 use std::collections::VecDeque;
 
-/// Entries of the output queue: the fewest that let `in_ready` depend on registers only at full rate.
-pub const QUEUE_ENTRIES: usize = 2;
+/// Cycles from a token's acceptance to the first in which its credit can be taken again, besides the pipeline's: two in
+/// the queue, one in which it leaves, one on the credit's way back.
+const ROUND_CYCLES: u32 = 4;
+/// Fewest places of a queue.
+const PLACES_MIN: u32 = 2;
+
+/// A token that a pipeline takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Token<T> {
+    /// Its result.
+    Kept(T),
+    /// Its keep condition is false.
+    Dropped,
+}
+
+impl<T> From<Option<T>> for Token<T> {
+    /// A result, if it is kept.
+    fn from(result: Option<T>) -> Self {
+        result.map_or(Self::Dropped, Self::Kept)
+    }
+}
+
+/// What stands behind a pipeline.
+#[derive(Clone, Debug)]
+enum End<T> {
+    Queue {
+        queue: Fifo<T>,
+        /// Tokens that may still enter.
+        credits: u32,
+        /// Credits on their way back.
+        returning: u32,
+    },
+    /// The result that is shown, for one cycle.
+    Shown(Option<T>),
+}
 
 /// Timing of a pipeline whose tokens carry results of type `T`.
 #[derive(Clone, Debug)]
 pub struct Datapath<T> {
     /// Front: the token accepted last. Always `latency` long; `None` is a bubble.
-    stages: VecDeque<Option<T>>,
-    queue: VecDeque<T>,
+    stages: VecDeque<Option<Token<T>>>,
+    end: End<T>,
     phase: u32,
     initiation_interval: u32,
 }
 
 impl<T> Datapath<T> {
-    /// An empty pipeline, as after reset. Both numbers come from the manifest the generator writes.
+    /// An empty pipeline with a queue behind it, as after reset. Both numbers come from the manifest the generator writes.
     ///
     /// # Panics
     /// When `latency` or `initiation_interval` is 0.
     #[must_use]
     pub fn new(latency: u32, initiation_interval: u32) -> Self {
+        assert!(initiation_interval >= 1, "a pipeline has an initiation interval");
+        let credits = (latency + ROUND_CYCLES).div_ceil(initiation_interval).max(PLACES_MIN);
+        let end = End::Queue { queue: Fifo::new(credits as usize), credits, returning: 0 };
+        Self::before(end, latency, initiation_interval)
+    }
+
+    /// The same where results are always taken in the cycle in which they are shown.
+    ///
+    /// # Panics
+    /// When `latency` or `initiation_interval` is 0.
+    #[must_use]
+    pub fn always_taken(latency: u32, initiation_interval: u32) -> Self {
+        Self::before(End::Shown(None), latency, initiation_interval)
+    }
+
+    fn before(end: End<T>, latency: u32, initiation_interval: u32) -> Self {
         assert!(latency >= 1 && initiation_interval >= 1, "a pipeline has a stage and an initiation interval");
-        Self {
-            stages: (0..latency).map(|_| None).collect(),
-            queue: VecDeque::with_capacity(QUEUE_ENTRIES),
-            phase: 0,
-            initiation_interval,
-        }
+        Self { stages: (0..latency).map(|_| None).collect(), end, phase: 0, initiation_interval }
     }
 
     /// `in_ready` in this cycle.
     #[must_use]
     pub fn in_ready(&self) -> bool {
-        self.advances() && self.phase == 0
+        let has_credit = match self.end {
+            End::Queue { credits, .. } => credits > 0,
+            End::Shown(_) => true,
+        };
+        has_credit && self.phase == 0
     }
 
     /// What `out` shows in this cycle; `None` while `out_valid` is low.
     #[must_use]
     pub fn out(&self) -> Option<&T> {
-        self.queue.front()
+        match &self.end {
+            End::Queue { queue, .. } => queue.out(),
+            End::Shown(result) => result.as_ref(),
+        }
     }
 
-    /// Whether no token is on its way, neither in the pipeline nor in the queue.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.queue.is_empty() && self.stages.iter().all(Option::is_none)
-    }
-
-    /// One clock edge. `accepted` is the result of the token transferred on `in` in this cycle, or `None` when there was
-    /// no transfer or the token's keep condition is false: a dropped token travels as a bubble. Returns the result that
-    /// left on `out`.
+    /// One clock edge. `accepted` is the token transferred on `in` in this cycle. Returns the result that left on `out`.
     ///
     /// # Panics
-    /// When a token is handed over while [`in_ready`](Self::in_ready) is false.
-    pub fn step(&mut self, accepted: Option<T>, out_ready: bool) -> Option<T> {
+    /// When a token is handed over while [`in_ready`](Self::in_ready) is false, or a result is not taken that always is.
+    pub fn step(&mut self, accepted: Option<Token<T>>, out_ready: bool) -> Option<T> {
         assert!(accepted.is_none() || self.in_ready(), "a token can only be accepted while in_ready is high");
-        let advances = self.advances();
-        let left = if out_ready { self.queue.pop_front() } else { None };
-        if advances {
-            self.queue.extend(self.stages.pop_back().flatten());
-            self.stages.push_front(accepted);
-            self.phase = (self.phase + 1) % self.initiation_interval;
+        let enters = accepted.is_some();
+        self.stages.push_front(accepted);
+        self.phase = (self.phase + 1) % self.initiation_interval;
+        let (result, dropped) = match self.stages.pop_back().flatten() {
+            Some(Token::Kept(result)) => (Some(result), false),
+            Some(Token::Dropped) => (None, true),
+            None => (None, false),
+        };
+        match &mut self.end {
+            End::Queue { queue, credits, returning } => {
+                assert!(result.is_none() || queue.in_ready(), "there is a place for each token under way");
+                let left = queue.step(result, out_ready);
+                *credits = *credits + *returning - u32::from(enters);
+                *returning = u32::from(left.is_some()) + u32::from(dropped);
+                left
+            }
+            End::Shown(shown) => {
+                assert!(shown.is_none() || out_ready, "results are always taken");
+                std::mem::replace(shown, result)
+            }
         }
-        left
-    }
-
-    fn advances(&self) -> bool {
-        self.queue.len() < QUEUE_ENTRIES
     }
 }
 
@@ -96,14 +151,13 @@ mod tests {
     use super::*;
 
     /// Offers a token in every cycle; returns the cycles of the first acceptances and of the first departures.
-    fn run(latency: u32, initiation_interval: u32, cycles: u32) -> (Vec<u32>, Vec<u32>) {
-        let mut datapath = Datapath::new(latency, initiation_interval);
+    fn run(mut datapath: Datapath<u32>, delay: u32, cycles: u32) -> (Vec<u32>, Vec<u32>) {
         let (mut entered, mut left) = (Vec::new(), Vec::new());
         for cycle in 0..cycles {
             let token = datapath.in_ready().then_some(cycle);
             entered.extend(token);
-            if let Some(token) = datapath.step(token, true) {
-                assert_eq!(token + latency + 1, cycle, "latency stages, then the queue");
+            if let Some(token) = datapath.step(token.map(Token::Kept), true) {
+                assert_eq!(token + delay, cycle);
                 left.push(cycle);
             }
         }
@@ -112,30 +166,57 @@ mod tests {
 
     #[test]
     fn flows_at_the_initiation_interval() {
-        assert_eq!(run(3, 1, 8), (vec![0, 1, 2, 3, 4, 5, 6, 7], vec![4, 5, 6, 7]));
-        assert_eq!(run(4, 3, 12), (vec![0, 3, 6, 9], vec![5, 8, 11]));
+        let flow = run(Datapath::new(3, 1), 3 + 2, 40);
+        assert_eq!(flow, ((0..40).collect(), (5..40).collect()));
+        for (latency, interval) in [(4, 3), (1, 8), (9, 2), (20, 7)] {
+            let (entered, left) = run(Datapath::new(latency, interval), latency + 2, 100);
+            let every = |first: u32| (first..100).step_by(interval as usize).collect::<Vec<_>>();
+            assert_eq!((entered, left), (every(0), every(latency + 2)), "{latency} {interval}");
+        }
     }
 
     #[test]
-    fn a_blocked_output_stops_the_pipeline_and_loses_nothing() {
+    fn what_is_always_taken_is_shown_behind_the_last_stage() {
+        assert_eq!(run(Datapath::always_taken(4, 3), 4 + 1, 12), (vec![0, 3, 6, 9], vec![5, 8, 11]));
+    }
+
+    #[test]
+    fn a_blocked_output_lets_in_as_many_as_there_are_places_and_loses_nothing() {
         let mut datapath = Datapath::new(2, 1);
         let mut sent = 0;
         for _ in 0..20 {
             let token = datapath.in_ready().then_some(sent);
             sent += u32::from(token.is_some());
-            assert_eq!(datapath.step(token, false), None);
+            assert_eq!(datapath.step(token.map(Token::Kept), false), None);
         }
-        assert_eq!(sent, 4, "two stages and two queue entries");
+        assert_eq!(sent, 6);
         let received: Vec<u32> = (0..20).filter_map(|_| datapath.step(None, true)).collect();
-        assert_eq!(received, [0, 1, 2, 3]);
-        assert!(datapath.is_empty());
+        assert_eq!(received, (0..6).collect::<Vec<_>>());
+        assert!(datapath.in_ready());
+    }
+
+    #[test]
+    fn a_token_that_is_dropped_gives_its_credit_back_though_nothing_leaves() {
+        let mut datapath = Datapath::<u32>::new(2, 1);
+        for cycle in 0..30 {
+            assert!(datapath.in_ready(), "cycle {cycle}");
+            assert_eq!(datapath.step(Some(Token::from(None)), false), None);
+        }
     }
 
     #[test]
     #[should_panic(expected = "while in_ready is high")]
     fn a_token_out_of_phase_is_refused() {
         let mut datapath = Datapath::new(1, 2);
-        datapath.step(Some(1), true);
-        datapath.step(Some(2), true);
+        datapath.step(Some(Token::Kept(1)), true);
+        datapath.step(Some(Token::Kept(2)), true);
+    }
+
+    #[test]
+    #[should_panic(expected = "always taken")]
+    fn a_result_that_is_shown_for_one_cycle_is_taken_in_it() {
+        let mut datapath = Datapath::always_taken(1, 1);
+        datapath.step(Some(Token::Kept(1)), true);
+        (0..2).for_each(|_| _ = datapath.step(None, false));
     }
 }

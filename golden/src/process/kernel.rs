@@ -4,7 +4,7 @@
 //! turns: the sums of a query wait in theirs until they have left, while the next queries' neighbors are added.
 
 use super::block::Blocks;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::stream::Skid;
 use crate::unit::Model;
 use pointcore_contract::process::config::WORDS_MAX;
@@ -101,7 +101,7 @@ impl Kernel {
             blocks: Blocks::new(program, config.format),
             neighbor: Skid::default(),
             kernel: Datapath::new(pipelines.kernel.latency, pipelines.kernel.interval),
-            adders: Datapath::new(pipelines.sums.latency, pipelines.sums.interval),
+            adders: Datapath::always_taken(pipelines.sums.latency, pipelines.sums.interval),
             banks: [Bank::default(); BANKS],
             adding: 0,
             count: 0,
@@ -192,8 +192,8 @@ impl Model for Kernel {
         let adds = addends.and_then(|addends| self.add(&addends));
         let entering = self.neighbor.out().copied().filter(|_| self.kernel.in_ready());
         let accepted = entering.map(|input| self.addends(&input, &inputs.settings));
-        self.kernel.step(accepted, adds.is_some());
-        self.adders.step(adds, true);
+        self.kernel.step(accepted.map(Token::Kept), adds.is_some());
+        self.adders.step(adds.map(Token::Kept), true);
         self.leave(inputs.sums_ready);
         if let Some(Added { bank, partial, none, last, words }) = added {
             if !none {

@@ -1,7 +1,7 @@
 //! The blocks `init` and `final` as units: a thread's words in, what is written of it out.
 
 use super::block::Blocks;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::unit::Model;
 use pointcore_contract::process::config::{Config, WORDS_MAX};
 use pointcore_contract::process::queries::{Change, FinalInput, Finished, InitInput, OutputWords, Stores};
@@ -88,7 +88,7 @@ impl Model for Init {
     fn clock(&mut self, inputs: &init::In) {
         let input = inputs.input.filter(|_| self.0.datapath.in_ready());
         let stores = input.map(|input| self.stores(&input, &inputs.settings.words));
-        self.0.datapath.step(stores, inputs.out_ready);
+        self.0.datapath.step(stores.map(Token::Kept), inputs.out_ready);
     }
 }
 
@@ -133,6 +133,6 @@ impl Model for Finish {
     fn clock(&mut self, inputs: &finish::In) {
         let input = inputs.input.filter(|_| self.0.datapath.in_ready());
         let finished = input.map(|input| self.finished(&input, &inputs.settings.words));
-        self.0.datapath.step(finished, inputs.out_ready);
+        self.0.datapath.step(finished.map(Token::Kept), inputs.out_ready);
     }
 }

@@ -4,7 +4,7 @@
 
 use super::attribute::Arithmetic;
 use super::parts::division::recip;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::unit::Model;
 use pointcore_contract::Format;
@@ -77,7 +77,7 @@ impl Model for Normalizer {
 
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|pixel| self.normalize(pixel));
-        self.datapath.step(accepted, inputs.out_ready);
+        self.datapath.step(accepted.map(Token::Kept), inputs.out_ready);
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::attribute::Arithmetic;
 use super::uniforms::TransformUniforms;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::unit::Model;
 use pointcore_contract::Format;
@@ -82,7 +82,7 @@ impl Model for Transform {
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
         let uniforms = TransformUniforms { model_view: inputs.model_view, near_plane: inputs.near_plane };
-        let accepted = accepted.and_then(|splat| self.transform(splat, &uniforms));
+        let accepted = accepted.map(|splat| Token::from(self.transform(splat, &uniforms)));
         self.datapath.step(accepted, inputs.out_ready);
     }
 }

@@ -4,7 +4,7 @@
 //! the weight rounded to its format. Cardinal ones pass.
 
 use super::attribute::Arithmetic;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::{Sample, WeightedSample};
@@ -56,7 +56,7 @@ impl Model for Weighting {
 
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|sample| self.weigh(sample));
-        self.datapath.step(accepted, inputs.out_ready);
+        self.datapath.step(accepted.map(Token::Kept), inputs.out_ready);
     }
 }
 

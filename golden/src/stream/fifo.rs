@@ -38,12 +38,14 @@ impl<T> Fifo<T> {
         self.output.as_ref()
     }
 
-    /// The clock edge: `input` is the item shown at the input, taken if [`Fifo::in_ready`].
-    pub fn step(&mut self, input: Option<T>, out_ready: bool) {
+    /// The clock edge: `input` is the item shown at the input, taken if [`Fifo::in_ready`]. Returns the item that left.
+    pub fn step(&mut self, input: Option<T>, out_ready: bool) -> Option<T> {
         let accepted = input.filter(|_| self.in_ready());
-        if out_ready || self.output.is_none() {
+        let left = if out_ready { self.output.take() } else { None };
+        if self.output.is_none() {
             self.output = self.stored.pop_front();
         }
         self.stored.extend(accepted);
+        left
     }
 }

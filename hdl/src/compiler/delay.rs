@@ -2,7 +2,7 @@
 //!
 //! A value is there in one cycle; a register catches it and holds it for one initiation interval, after which the next
 //! token's value arrives. A chain of registers that load in the same phase holds it longer. A chain of [`MEMORY_STAGES`]
-//! and more becomes a circular buffer, and chains of equal length and phase share one: it costs a pointer instead of a
+//! and more becomes a circular buffer, and chains of equal length and phase share some: they cost a pointer instead of a
 //! flip-flop a bit and cycle.
 
 use super::cost::{MEMORY_STAGES, stages};
@@ -15,6 +15,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Deepest delay kept in look-up tables; deeper ones take block memory.
 const DISTRIBUTED_DEPTH: u32 = 64;
+
+/// Widest circular buffer: with its pointer no more than what is told its phase by one register; three block RAMs of 36 bits.
+const LINE_BITS: u32 = 108;
 
 /// Memories are shared by chains that load in the same phase and are equally long.
 type LineKey = (u32, u32);
@@ -34,7 +37,7 @@ struct Line {
 pub(super) struct Delays {
     /// Numbers of registers after which each value is read, besides 0.
     needs: Vec<BTreeSet<u32>>,
-    lines: BTreeMap<LineKey, Line>,
+    lines: BTreeMap<LineKey, Vec<Line>>,
     taps: BTreeMap<(ValueId, u32), Expr>,
 }
 
@@ -52,14 +55,22 @@ impl Delays {
         }
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| need(id, schedule.latency));
 
-        let mut widths: BTreeMap<LineKey, u32> = BTreeMap::new();
+        let mut widths: BTreeMap<LineKey, Vec<u32>> = BTreeMap::new();
         for (index, taps) in needs.iter().enumerate() {
             for (from, to) in segments(taps).filter(|(from, to)| to - from >= MEMORY_STAGES) {
                 let key = (emitter.phase_of(schedule.available[index]), to - from);
-                *widths.entry(key).or_default() += graph.nodes()[index].ty.width();
+                let (lines, width) = (widths.entry(key).or_default(), graph.nodes()[index].ty.width());
+                match lines.iter_mut().find(|used| has_room(**used, width)) {
+                    Some(used) => *used += width,
+                    None => lines.push(width),
+                }
             }
         }
-        let lines = widths.into_iter().map(|(key, width)| (key, Line::new(key, width, emitter))).collect();
+        let mut make = |(key, widths): (LineKey, Vec<u32>)| {
+            let lines: Vec<Line> = widths.into_iter().map(|width| Line::new(key, width, emitter)).collect();
+            (key, lines)
+        };
+        let lines = widths.into_iter().map(&mut make).collect();
         Self { needs, lines, taps: BTreeMap::new() }
     }
 
@@ -70,8 +81,10 @@ impl Delays {
         let mut data = live;
         for (from, to) in segments(&self.needs[value.0]) {
             if to - from >= MEMORY_STAGES {
-                let line = self.lines.get_mut(&(phase, to - from)).expect("`new` made a line for every long segment");
-                let held = line.take(data);
+                // In the order of `new`, so that values find the places that they had there.
+                let lines = self.lines.get_mut(&(phase, to - from)).into_iter().flatten();
+                let line = lines.into_iter().find(|line| has_room(line.used, data.width()));
+                let held = line.expect("`new` made room for every long segment").take(data);
                 let label = emitter.unique(&format!("{name}_d{to}"));
                 data = emitter.module.wire(&label, held);
             } else {
@@ -91,12 +104,19 @@ impl Delays {
     /// Connects the memories' inputs, once all values are held; returns the bits in memories.
     pub fn finish(self, emitter: &mut Emitter) -> u64 {
         let mut bits = 0;
-        for ((_, length), line) in self.lines {
+        let lines =
+            self.lines.into_iter().flat_map(|((_, length), lines)| lines.into_iter().map(move |line| (length, line)));
+        for (length, line) in lines {
             emitter.module.write(line.memory, line.enable, line.pointer, cat(line.inputs.into_iter().rev()));
             bits += u64::from(length - 1) * line.used as u64;
         }
         bits
     }
+}
+
+/// Whether a circular buffer takes a value besides those of so many bits.
+const fn has_room(used: u32, width: u32) -> bool {
+    used + width <= LINE_BITS
 }
 
 /// Stretches between the points at which a value is read.
@@ -110,9 +130,10 @@ impl Line {
     fn new((phase, length): LineKey, width: u32, emitter: &mut Emitter) -> Self {
         let depth = length - 1;
         let name = emitter.unique(&format!("delay_{length}_from_{phase}"));
-        let enable = emitter.load(phase);
+        let pointer_bits = address_width(depth);
+        let enable = emitter.in_phase(phase, width + pointer_bits);
         let module = &mut emitter.module;
-        let pointer = module.reg_reset(&format!("{name}_pointer"), address_width(depth), 0);
+        let pointer = module.reg_reset(&format!("{name}_pointer"), pointer_bits, 0);
         let at_end = pointer.eq_lit(u128::from(depth - 1));
         let next = at_end.mux(pointer.sub_lit(u128::from(depth - 1)), pointer.add_lit(1));
         module.next_if(pointer, enable, next);

@@ -1,12 +1,12 @@
 //! The hardware of a scheduled program: operators, what chooses their operands, delays, and the streams at both ends.
 //!
 //! A token's validity runs beside its data, one register an initiation interval; what data registers hold besides valid
-//! tokens is never looked at.
+//! tokens is never looked at. Nothing stalls, so that nothing but phases has to reach all registers.
 
 use super::bind::{Unit, bind};
 use super::cost::stages;
 use super::delay::Delays;
-use super::emitter::Emitter;
+use super::emitter::{Chooser, Emitter};
 use super::graph::{Graph, ValueId};
 use super::labels::labels;
 use super::lower::combinational;
@@ -15,15 +15,19 @@ use super::operation::Operation;
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use super::types::Type;
-use crate::stream::skid;
-use rtl::{Expr, Instance, Module, Stream, lit};
+use super::{Options, output};
+use output::{Output, Tokens};
+use rtl::{Expr, Instance, Module, bit, lit};
 use std::collections::{BTreeMap, HashMap};
 
 /// Ports of an operator, in the order of an operation's operands.
 const OPERAND_PORTS: [&str; 3] = ["a", "b", "c"];
+/// What a datapath has besides its values.
+const CONTROL: [&str; 7] = ["clk", "rst", "credits", "dropped", "left", "kept", "shown"];
 
 /// Builds the module and its manifest.
-pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_interval: u32) -> (Module, Manifest) {
+pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, options: &Options) -> (Module, Manifest) {
+    let initiation_interval = options.initiation_interval;
     let mut module = Module::new(graph.unit(), graph.doc());
     module.parameter("latency", schedule.latency);
     module.parameter("initiation_interval", initiation_interval);
@@ -31,22 +35,25 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
     let input = module.stream_in("in", &layout(graph, &inputs));
     let uniforms = ports(graph, &Operation::Uniform);
     let results: Vec<(String, ValueId)> = graph.outputs().to_vec();
-    let queue = module.instance("queue", skid(&layout(graph, &results)));
-    let advance = module.out(queue, "in_ready");
+    let places = output::places(schedule.latency, initiation_interval);
+    let output = Output::new(&mut module, options.taking, places);
 
     let mut names: Vec<String> =
         ["in", "out"].iter().flat_map(|s| [format!("{s}_valid"), format!("{s}_ready")]).collect();
     names.extend(inputs.iter().map(|(name, _)| format!("in_{name}")));
     names.extend(results.iter().map(|(name, _)| format!("out_{name}")));
     names.extend(uniforms.iter().map(|(name, _)| name.clone()));
-    names.extend(["clk", "rst", "queue"].map(str::to_owned));
+    names.extend(results.iter().map(|(name, _)| format!("shown_{name}")));
+    names.extend((1..=results.len()).map(|part| format!("queue_{part}")));
+    names.extend(CONTROL.map(str::to_owned));
     let values: HashMap<ValueId, Expr> = inputs
         .iter()
         .map(|(name, id)| (*id, input.field(name)))
         .chain(uniforms.iter().map(|(name, id)| (*id, module.input(name, width(graph, *id)))))
         .collect();
-    let mut emitter = Emitter::new(module, initiation_interval, advance, names.into_iter().collect());
-    emitter.module.ready(&input, emitter.load(0));
+    let mut emitter = Emitter::new(module, initiation_interval, names.into_iter().collect());
+    let ready = output.admits() & emitter.in_phase(0, 1);
+    emitter.module.ready(&input, ready);
 
     let delays = Delays::new(graph, plan, schedule, &mut emitter);
     let mut body = Body { graph, plan, schedule, emitter, delays, values, labels: labels(graph) };
@@ -58,7 +65,7 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
     for (unit, instance) in units.iter().zip(&instances) {
         body.operands(unit, *instance);
     }
-    body.results(&input, queue, &results);
+    body.results(output, input.valid & ready, &results);
     body.finish()
 }
 
@@ -94,10 +101,9 @@ impl Body<'_> {
     fn instance(&mut self, unit: &Unit) -> Instance {
         let class = &self.plan.classes[unit.class];
         let name = self.emitter.unique(&format!("{}_unit", class.name.replace(['.', '-'], "_")));
-        let advance = self.emitter.advance();
         let module = &mut self.emitter.module;
         let instance = module.instance(&name, class.operator.module.clone());
-        module.connect(instance, "enable", advance);
+        module.connect(instance, "enable", bit(true));
         let result = module.out(instance, "y");
         self.values.extend(unit.by_phase.iter().flatten().map(|&index| (ValueId(index), result)));
         instance
@@ -151,23 +157,27 @@ impl Body<'_> {
     fn operands(&mut self, unit: &Unit, instance: Instance) {
         let class = &self.plan.classes[unit.class];
         let count = unit.by_phase.iter().flatten().map(|&index| self.graph.nodes()[index].operands.len()).max();
+        let mut chooser = self.emitter.chooser(instance.name());
         for (position, port) in OPERAND_PORTS.iter().enumerate().take(count.unwrap_or(0)) {
             let by_phase = unit.by_phase.iter();
             let sources: Vec<Option<Expr>> = by_phase
                 .map(|slot| slot.map(|index| self.operand(self.graph.nodes()[index].operands[position], index)))
                 .collect();
-            let mut chosen = self.choose(&sources);
+            let mut chosen = self.choose(&mut chooser, &sources);
             if class.operand_registers {
-                let advance = self.emitter.advance();
-                chosen = self.emitter.register_if(&format!("{}_{port}", instance.name()), advance, chosen);
+                chosen = self.emitter.step(&format!("{}_{port}", instance.name()), chosen);
             }
             self.emitter.module.connect(instance, port, chosen);
         }
     }
 
     /// The source of the current phase; in phases without one, that of an earlier phase.
-    fn choose(&self, sources: &[Option<Expr>]) -> Expr {
+    fn choose(&mut self, chooser: &mut Chooser, sources: &[Option<Expr>]) -> Expr {
+        let ways = sources.iter().flatten().count() as u32;
         let mut filler = *sources.iter().flatten().next().expect("an instance carries out an operation");
+        if ways == 1 {
+            return filler;
+        }
         let every_phase: Vec<Expr> = sources
             .iter()
             .map(|source| {
@@ -175,37 +185,20 @@ impl Body<'_> {
                 filler
             })
             .collect();
-        match self.emitter.phase() {
-            Some(phase) if sources.iter().flatten().count() > 1 => phase.pick(every_phase.iter().copied()),
-            _ => filler,
-        }
+        chooser.choose(&mut self.emitter, ways, &every_phase)
     }
 
-    /// Sends finished tokens to the output queue.
-    fn results(&mut self, input: &Stream, queue: Instance, results: &[(String, ValueId)]) {
+    /// Sends finished tokens to the output.
+    fn results(&mut self, output: Output, enters: Expr, results: &[(String, ValueId)]) {
         let latency = self.schedule.latency;
         let stages = stages(latency, self.emitter.initiation_interval());
-        let mut valid = self.emitter.shift_register("in_flight", stages, input.valid);
-        if let Some(condition) = self.graph.keep() {
-            valid = valid & self.read(condition, latency);
-        }
-        if let Some(in_phase) = self.emitter.in_phase(self.emitter.phase_of(latency)) {
-            valid = valid & in_phase;
-        }
-        let fields: Vec<(String, Expr)> =
-            results.iter().map(|(name, id)| (name.clone(), self.read(*id, latency))).collect();
-        let (advance, advance_next) = (self.emitter.advance(), self.emitter.advance_next());
-        let module = &mut self.emitter.module;
-        module.connect(queue, "in_valid", valid);
-        for (name, value) in &fields {
-            module.connect(queue, &format!("in_{name}"), *value);
-        }
-        let out = module.stream_from(queue, "out");
-        if let Some(advance_next) = advance_next {
-            // The queue of two is full when its head stays and a second item is there or comes.
-            module.drive(advance_next, !((out.valid & !*out.ready) & (!advance | valid)));
-        }
-        module.stream_export("out", &out);
+        let in_flight = self.emitter.shift_register("in_flight", stages, enters);
+        let phase = self.emitter.phase_of(latency);
+        let arrives = in_flight & self.emitter.in_phase(phase, 1);
+        let keep = self.graph.keep().map_or_else(|| bit(true), |condition| self.read(condition, latency));
+        let read = |(name, id): &(String, ValueId)| (name.clone(), self.read(*id, latency));
+        let results: Vec<(String, Expr)> = results.iter().map(read).collect();
+        output.finish(&mut self.emitter.module, &Tokens { enters, arrives, keep }, &results);
     }
 
     fn finish(mut self) -> (Module, Manifest) {
@@ -216,14 +209,16 @@ impl Body<'_> {
             total.instances += class.instances;
             total.operations += class.operations;
         }
+        let initiation_interval = self.emitter.initiation_interval();
+        let (module, register_bits) = self.emitter.finish();
         let manifest = Manifest {
             unit: self.graph.unit().to_owned(),
             latency: self.schedule.latency,
-            initiation_interval: self.emitter.initiation_interval(),
+            initiation_interval,
             operators,
-            register_bits: self.emitter.register_bits(),
+            register_bits,
             delay_memory_bits,
         };
-        (self.emitter.module, manifest)
+        (module, manifest)
     }
 }

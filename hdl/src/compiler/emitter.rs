@@ -1,64 +1,25 @@
 //! The module under construction and what all its parts share.
 //!
-//! Everything steps with `advance`, which is high while the output queue has room; `phase` counts the steps modulo the
-//! initiation interval. Thousands of registers load in one phase each, so what enables them comes from a register as well and is found
-//! in the cycle before.
+//! Everything steps in every cycle. With an initiation interval above one, a register that holds a token's value for that
+//! long loads in one [phase](super::phases).
 
-use rtl::{Expr, Module, Wire, address_width, cat};
+use super::phases::{Counter, LOADS, Phases};
+use rtl::{Expr, Module, bit, cat};
 use std::collections::HashSet;
 
-/// A module with its pipeline control.
+/// A module with its phases.
 pub(super) struct Emitter {
     pub module: Module,
     initiation_interval: u32,
-    advance: Expr,
-    phase: Option<Expr>,
-    advance_next: Option<Wire>,
-    loads: Vec<Expr>,
+    phases: Phases,
     names: HashSet<String>,
     register_bits: u64,
 }
 
 impl Emitter {
-    /// Adds phase counter and enables to a module that has the signals `names` already.
-    pub fn new(module: Module, initiation_interval: u32, advance: Expr, names: HashSet<String>) -> Self {
-        let mut emitter = Self {
-            module,
-            initiation_interval,
-            advance,
-            phase: None,
-            advance_next: None,
-            loads: vec![advance],
-            names,
-            register_bits: 0,
-        };
-        if initiation_interval > 1 {
-            emitter.count_phases();
-        }
-        emitter
-    }
-
-    fn count_phases(&mut self) {
-        let Self { ref mut module, initiation_interval, advance, .. } = *self;
-        let phase = module.reg_reset("phase", address_width(initiation_interval), 0);
-        let last = u128::from(initiation_interval - 1);
-        let following = phase.eq_lit(last).mux(phase.sub_lit(last), phase.add_lit(1));
-        let phase_next = module.wire("phase_next", advance.mux(following, phase));
-        module.next(phase, phase_next);
-        let advance_next = module.forward("advance_next", 1);
-        let load = |index: u32| {
-            let name = format!("load_{index}");
-            let load = module.reg_reset(&name, 1, u128::from(index == 0));
-            module.next(load, advance_next & phase_next.eq_lit(index.into()));
-            module.assert(&format!("{name}_in_phase"), load.eq(advance & phase.eq_lit(index.into())));
-            load.expr()
-        };
-        self.loads = (0..initiation_interval).map(load).collect();
-        self.names.extend(["phase", "phase_next", "advance_next"].map(str::to_owned));
-        self.names.extend((0..initiation_interval).map(|index| format!("load_{index}")));
-        self.register_bits += phase.width() as u64 + u64::from(initiation_interval);
-        self.phase = Some(phase.expr());
-        self.advance_next = Some(advance_next);
+    /// For a module that has the signals `names` already.
+    pub fn new(module: Module, initiation_interval: u32, names: HashSet<String>) -> Self {
+        Self { module, initiation_interval, phases: Phases::new(initiation_interval), names, register_bits: 0 }
     }
 
     pub const fn initiation_interval(&self) -> u32 {
@@ -70,39 +31,19 @@ impl Emitter {
         cycle % self.initiation_interval
     }
 
-    /// The pipeline steps.
-    pub const fn advance(&self) -> Expr {
-        self.advance
+    /// It is that phase, for no more than [`LOADS`].
+    pub fn in_phase(&mut self, phase: u32, loads: u32) -> Expr {
+        if self.initiation_interval == 1 { bit(true) } else { self.phases.bit(&mut self.module, phase, loads) }
     }
 
-    /// To be driven, once, if there is a phase counter: the pipeline steps in the next cycle.
-    pub const fn advance_next(&self) -> Option<Wire> {
-        self.advance_next
-    }
-
-    /// The phase counter; there is none when there is only one phase.
-    pub const fn phase(&self) -> Option<Expr> {
-        self.phase
-    }
-
-    /// The pipeline steps, in that phase.
-    pub fn load(&self, phase: u32) -> Expr {
-        self.loads[phase as usize]
-    }
-
-    /// The pipeline is in that phase.
-    pub fn in_phase(&self, phase: u32) -> Option<Expr> {
-        self.phase.as_ref().map(|counter| counter.eq_lit(phase.into()))
+    /// The phase's source for each operator: as many as its choices take.
+    pub fn chooser(&self, operator: String) -> Chooser {
+        Chooser { name: format!("{operator}_phase"), counter: None }
     }
 
     /// A register that loads in one phase.
     pub fn register(&mut self, name: &str, phase: u32, data: Expr) -> Expr {
-        let enable = self.load(phase);
-        self.register_if(name, enable, data)
-    }
-
-    /// A register with an enable of its own.
-    pub fn register_if(&mut self, name: &str, enable: Expr, data: Expr) -> Expr {
+        let enable = self.in_phase(phase, data.width());
         let name = self.unique(name);
         let register = self.module.reg(&name, data.width());
         self.module.next_if(register, enable, data);
@@ -110,17 +51,29 @@ impl Emitter {
         register.expr()
     }
 
+    /// A register that loads in every cycle.
+    pub fn step(&mut self, name: &str, data: Expr) -> Expr {
+        let name = self.unique(name);
+        let register = self.module.reg(&name, data.width());
+        self.module.next(register, data);
+        self.count_registers(data.width());
+        register.expr()
+    }
+
     /// A bit after so many registers, which load in phase 0 and are cleared by reset.
     pub fn shift_register(&mut self, name: &str, stages: u32, data: Expr) -> Expr {
-        if stages == 0 {
-            return data;
+        let mut data = data;
+        for first in (0..stages).step_by(LOADS as usize) {
+            let part = LOADS.min(stages - first);
+            let enable = self.in_phase(0, part);
+            let name = self.unique(name);
+            let register = self.module.reg_reset(&name, part, 0);
+            let next = if part == 1 { data } else { cat([register.trunc(part - 1), data]) };
+            self.module.next_if(register, enable, next);
+            self.count_registers(part);
+            data = register.msb();
         }
-        let name = self.unique(name);
-        let register = self.module.reg_reset(&name, stages, 0);
-        let next = if stages == 1 { data } else { cat([register.trunc(stages - 1), data]) };
-        self.module.next_if(register, self.loads[0], next);
-        self.count_registers(stages);
-        register.msb()
+        data
     }
 
     /// Adds to the manifest's count.
@@ -128,9 +81,10 @@ impl Emitter {
         self.register_bits += bits as u64;
     }
 
-    /// Flip-flops so far.
-    pub const fn register_bits(&self) -> u64 {
-        self.register_bits
+    /// The module, once all is in it, and how many flip-flops were counted.
+    pub fn finish(mut self) -> (Module, u64) {
+        let phases = self.phases.finish(&mut self.module);
+        (self.module, self.register_bits + u64::from(phases))
     }
 
     /// A name that nothing else in the module has, close to the one wanted.
@@ -142,5 +96,41 @@ impl Emitter {
             name = format!("{wanted}_copy{copy}");
         }
         name
+    }
+}
+
+/// What chooses an operator's operands.
+pub(super) struct Chooser {
+    name: String,
+    counter: Option<Counter>,
+}
+
+impl Chooser {
+    /// Of the sources by phase, `ways` of which differ, the one of the current phase. Wide ones are cut, so that no counter has
+    /// more than its share of the choices.
+    pub fn choose(&mut self, emitter: &mut Emitter, ways: u32, sources: &[Expr]) -> Expr {
+        let width = sources[0].width();
+        // A bit is chosen among so many by half as many choices between two of the lowest bit of the phase.
+        let choices = ways.div_ceil(2);
+        let part = (LOADS / choices).clamp(1, width);
+        let parts = (0..width).step_by(part as usize).map(|low| (low, (low + part).min(width) - 1));
+        let chosen: Vec<Expr> = parts
+            .map(|(low, high)| {
+                let phase = self.phase(emitter, (high + 1 - low) * choices);
+                phase.pick(sources.iter().map(|source| source.bits(high, low)))
+            })
+            .collect();
+        cat(chosen.into_iter().rev())
+    }
+
+    fn phase(&mut self, emitter: &mut Emitter, loads: u32) -> Expr {
+        if let Some(phase) = self.counter.as_mut().and_then(|counter| counter.drive(loads)) {
+            return phase;
+        }
+        let name = emitter.unique(&self.name);
+        let mut counter = emitter.phases.counter(&mut emitter.module, &name);
+        let phase = counter.drive(loads).expect("a new counter has room for a part");
+        self.counter = Some(counter);
+        phase
     }
 }

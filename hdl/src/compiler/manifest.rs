@@ -1,5 +1,6 @@
 //! What the rest of the world must know about a compiled datapath, written beside its Verilog.
 
+use super::output;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -9,16 +10,24 @@ use std::collections::BTreeMap;
 pub struct Manifest {
     /// Name of the unit.
     pub unit: String,
-    /// Pipeline steps from a token's acceptance to its entry into the output queue.
+    /// Cycles from a token's acceptance to its entry into the output queue.
     pub latency: u32,
-    /// Pipeline steps from one token to the next.
+    /// Cycles from one token to the next.
     pub initiation_interval: u32,
     /// Pipelined operators by kind and format, such as `add.f32`.
     pub operators: BTreeMap<String, OperatorUse>,
-    /// Flip-flops that the datapath adds to its operators': delays, operand registers, phase and validity.
+    /// Flip-flops that the datapath adds to its operators', up to its end: delays, operand registers, phases and validity.
     pub register_bits: u64,
     /// Bits in memories that delay values.
     pub delay_memory_bits: u64,
+}
+
+impl Manifest {
+    /// Tokens that may be under way at a time, from their acceptance until they are taken, where results wait in a queue.
+    #[must_use]
+    pub fn tokens(&self) -> u32 {
+        output::places(self.latency, self.initiation_interval)
+    }
 }
 
 /// How often a program needs an operator, and how often the hardware has it.

@@ -1,4 +1,4 @@
-//! The arithmetic compiler (thesis 6.6): from a straight-line program over typed values to a pipelined, stallable module.
+//! The arithmetic compiler (thesis 6.6): from a straight-line program over typed values to a pipeline that never stalls.
 //!
 //! A program is written with [`Program`] and the operators of [`Value`], or built node by node as a [`Graph`].
 //! [`compile`] folds constants and common subexpressions, schedules every operation for the latency of its operator and
@@ -7,11 +7,12 @@
 //!
 //! * `in`: ports `in_valid`, `in_ready`, `in_<input>`; one port `<uniform>` each; `out`: `out_valid`, `out_ready`,
 //!   `out_<output>`.
-//! * The pipeline steps in cycles in which the output queue of two entries, as it was at the start of the cycle, has
-//!   room. A phase counter starts at 0 after reset and steps with it, modulo the initiation interval. `in_ready` is
-//!   high when the pipeline steps in phase 0.
-//! * A token's results enter the queue exactly [`Manifest::latency`] steps after the step that accepted it, if its keep
+//! * The pipeline steps in every cycle. Its phase starts at 0 after reset and steps with it, modulo the initiation interval.
+//!   Behind it stands a queue with a place for every token that may be under way. There are as many credits; a token takes
+//!   one along and gives it back when it leaves the queue, or is dropped. `in_ready` is high in phase 0 while there is one.
+//! * A token's results enter the queue exactly [`Manifest::latency`] cycles after the one that accepted it, if its keep
 //!   condition holds. Nothing at `out` depends on `in`, or the reverse, within a cycle.
+//! * Where results are [taken at once](Taking::AtOnce), there is neither queue nor credit.
 //!
 //! The golden twin of this timing is `pointcore_golden::datapath`.
 
@@ -31,6 +32,8 @@ mod multiply;
 mod operation;
 mod operators;
 mod optimize;
+mod output;
+mod phases;
 mod plan;
 mod program;
 mod schedule;
@@ -58,16 +61,28 @@ pub const INITIATION_INTERVAL_MAX: u32 = 64;
 /// What to make of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Pipeline steps from one token to the next; operators are shared among as many operations.
+    /// Cycles from one token to the next; operators are shared among as many operations.
     pub initiation_interval: u32,
     /// Pipeline stages of operators.
     pub stages: OperatorStages,
+    /// When results are taken.
+    pub taking: Taking,
+}
+
+/// When what a datapath shows is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Taking {
+    /// Sooner or later: results wait in a queue.
+    #[default]
+    Later,
+    /// Always in the cycle in which it is shown: no result waits, and every token is admitted.
+    AtOnce,
 }
 
 impl Default for Options {
-    /// A token a cycle, operators with as many stages as they like.
+    /// A token a cycle, operators with as many stages as they like, results that wait.
     fn default() -> Self {
-        Self { initiation_interval: 1, stages: OperatorStages::default() }
+        Self { initiation_interval: 1, stages: OperatorStages::default(), taking: Taking::default() }
     }
 }
 
@@ -76,6 +91,12 @@ impl Options {
     #[must_use]
     pub fn with_interval(&self, initiation_interval: u32) -> Self {
         Self { initiation_interval, ..self.clone() }
+    }
+
+    /// The same of results that are always taken at once.
+    #[must_use]
+    pub fn taken_at_once(&self) -> Self {
+        Self { taking: Taking::AtOnce, ..self.clone() }
     }
 
     /// The same with `stages` in all operators of a class, as [`OperatorStages::with`], unless it is told of that class already.
@@ -120,6 +141,6 @@ pub fn compile_graph(graph: &Graph, options: &Options) -> Result<Datapath, Compi
     let graph = optimize::optimize(graph);
     let plan = plan::Plan::new(&graph, initiation_interval, &options.stages);
     let schedule = schedule::schedule(&graph, &plan, initiation_interval);
-    let (module, manifest) = emit::emit(&graph, &plan, &schedule, initiation_interval);
+    let (module, manifest) = emit::emit(&graph, &plan, &schedule, options);
     Ok(Datapath { module, manifest })
 }

@@ -95,8 +95,8 @@ fn adders(config: &Config, options: &Options) -> Result<Datapath, CompileError> 
             };
         }
         added.outputs(&program, config);
-        let datapath = compile(&program, &options.with_interval(interval))?;
-        // The queue behind the pipeline, and the memory.
+        let datapath = compile(&program, &options.with_interval(interval).taken_at_once())?;
+        // The register behind the pipeline, and the memory.
         let round = datapath.manifest.latency + 2;
         if round <= interval * PARTIAL_SUMS as u32 {
             return Ok(datapath);
@@ -171,9 +171,8 @@ fn block(
 ) -> (Flow<Tag<Wires>>, Addends<Wires>, Manifest) {
     let settings = PORTS.settings.declare(m, config);
     let head = PORTS.neighbor.queue(m, config);
-    // As many as can be under way in the block, and in the queue itself.
-    let depth = manifest.latency.div_ceil(manifest.initiation_interval) + 5;
-    let (tags, tag) = Pushed::<Tag>::place(m, config, "tags", fifo_distributed(depth, &layout::<Tag>(config)));
+    let tags = fifo_distributed(manifest.tokens(), &layout::<Tag>(config));
+    let (tags, tag) = Pushed::<Tag>::place(m, config, "tags", tags);
     let block = Passage::<Operands, Addends>::place(m, "block", module);
     set(m, config, block.instance(), Section::Kernel, &settings);
     let room = block.room(m);

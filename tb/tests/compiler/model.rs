@@ -3,7 +3,7 @@
 use super::generator::sample;
 use super::interpreter::interpret;
 use fastrand::Rng;
-use pointcore_golden::datapath::Datapath;
+use pointcore_golden::datapath::{Datapath, Token};
 use pointcore_golden::float::Table;
 use pointcore_hdl::compiler::{self, Graph, Manifest, Operation, Type};
 use pointcore_tb::lockstep::{Golden, Lockstep, LockstepReport, Stall, StreamTestbench};
@@ -146,8 +146,8 @@ impl Golden for Model<'_> {
             }
             let accepted = ready && inputs[unit.in_valid] != 0;
             let token: Vec<u64> = unit.inputs.iter().map(|&port| inputs[port]).collect();
-            let results = accepted.then(|| program.results(self.tables, &token)).flatten();
-            unit.datapath.step(results, inputs[unit.out_ready] != 0);
+            let accepted = accepted.then(|| Token::from(program.results(self.tables, &token)));
+            unit.datapath.step(accepted, inputs[unit.out_ready] != 0);
         }
     }
 }

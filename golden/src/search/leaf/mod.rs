@@ -4,7 +4,7 @@
 
 mod table;
 
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::stream::Skid;
 use crate::unit::Model;
@@ -84,7 +84,7 @@ impl Model for Leaf {
         let measured = self.paired.as_ref().filter(|_| self.distance.in_ready());
         let takes_beat = self.paired.is_none() || measured.is_some();
         let candidates = measured.map(|(beat, query)| self.measure(beat, *query));
-        self.distance.step(candidates, inputs.candidates_ready);
+        self.distance.step(candidates.map(Token::Kept), inputs.candidates_ready);
         if takes_beat {
             self.paired = self.beat.out().map(|beat| (*beat, self.points[beat.place.thread.index()]));
         }

@@ -3,7 +3,7 @@
 use super::coverage::Reference;
 use super::entries::Entries;
 use super::lead::Asked;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::stream::Skid;
 use pointcore_contract::Format;
 use pointcore_contract::search::records::{CacheSetup, CachedQuery};
@@ -146,7 +146,7 @@ impl Check {
             Compared { item, margin, covered }
         });
         let takes_judged = self.judged.is_none() || leaves.is_some();
-        let left = self.datapath.step(compared, takes_judged);
+        let left = self.datapath.step(compared.map(Token::Kept), takes_judged);
         if leaves.is_some() {
             self.answered |= matches!(leaves, Some(Verdict::Hit { .. }));
             if self.judged.is_some_and(|judged| judged.last) {

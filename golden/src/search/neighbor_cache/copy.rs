@@ -2,7 +2,7 @@
 
 use super::coverage::{Extent, Reference};
 use super::entries::Entries;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::stream::Skid;
 use pointcore_contract::Format;
 use pointcore_contract::search::records::{CacheSetup, Query, QueryResult};
@@ -82,7 +82,13 @@ pub(super) struct Copy {
 
 impl Copy {
     pub(super) fn new(geometry: Format, latency: u32) -> Self {
-        Self { geometry, found: Skid::default(), copying: None, closed: None, cover: Datapath::new(latency, 1) }
+        Self {
+            geometry,
+            found: Skid::default(),
+            copying: None,
+            closed: None,
+            cover: Datapath::always_taken(latency, 1),
+        }
     }
 
     pub(super) fn in_ready(&self) -> bool {
@@ -143,7 +149,7 @@ impl Copy {
             }
             Step::Take { .. } => {}
         }
-        if let Some(Complete { entry, reference, .. }) = self.cover.step(judged, true) {
+        if let Some(Complete { entry, reference, .. }) = self.cover.step(judged.map(Token::Kept), true) {
             entries.stop_writing(entry, reference);
         }
         self.found.step(found, matches!(step, Step::Take { .. }));

@@ -7,7 +7,7 @@
 
 mod nodes;
 
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::stream::Skid;
 use crate::unit::Model;
@@ -89,7 +89,7 @@ impl Traversal {
             fetched: None,
             visited: None,
             decided: None,
-            path: Datapath::new(latency, 1),
+            path: Datapath::always_taken(latency, 1),
             leaf: Skid::default(),
             event_node: false,
         }
@@ -155,7 +155,7 @@ impl Model for Traversal {
         let leaf_has_room = found.is_none() || self.leaf.in_ready();
         let advances = self.path.in_ready() && self.nodes.has_room() && leaf_has_room;
         let decided = self.decided.filter(|_| advances);
-        self.path.step(decided.map(|decision| self.step(decision)), true);
+        self.path.step(decided.map(|decision| Token::Kept(self.step(decision))), true);
         self.leaf.step(found.filter(|_| advances), inputs.leaf_ready);
         self.event_node = advances && decision.is_some();
 

@@ -8,7 +8,7 @@ mod fixed_distance;
 mod tests;
 
 use super::parts::division::squared_ratio;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
 use crate::stream::Fifo;
@@ -261,7 +261,8 @@ impl Model for Rasterizer {
         let advances = self.datapath.in_ready();
         let busy = self.scan.is_some();
         let taken = inputs.input.filter(|_| self.in_ready());
-        let sample = self.scan.as_ref().filter(|_| advances).and_then(|scan| self.sample(scan, inputs.filter_scale));
+        let sample = self.scan.as_ref().filter(|_| advances);
+        let sample = sample.map(|scan| Token::from(self.sample(scan, inputs.filter_scale)));
         self.events = RasterizerEvents {
             sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.copy.end),
             starved: advances && !busy,

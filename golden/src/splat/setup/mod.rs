@@ -17,7 +17,7 @@ mod tests;
 
 use super::parts::division::recip;
 use super::uniforms::SetupUniforms;
-use crate::datapath::Datapath;
+use crate::datapath::{Datapath, Token};
 use crate::number::Number;
 use crate::unit::Model;
 use bounds::{BOUND_BITS, EDGE_UNITS, Shadow};
@@ -323,7 +323,7 @@ impl Model for Setup {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
         let In { viewport, epsilon, near_plane, filter_radius, .. } = *inputs;
         let uniforms = SetupUniforms { viewport, epsilon, near_plane, filter_radius };
-        let accepted = accepted.and_then(|splat| self.setup(splat, &uniforms));
+        let accepted = accepted.map(|splat| Token::from(self.setup(splat, &uniforms)));
         self.datapath.step(accepted, inputs.out_ready);
     }
 }

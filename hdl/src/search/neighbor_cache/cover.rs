@@ -74,7 +74,7 @@ fn comparison_value(config: &Config, options: &Options) -> Result<Datapath, Comp
     let FarScale { far_scale } = FarScale::<Values>::uniforms(&program, config, config.geometry);
     let cover = Cover { point, c: far * far_scale - root(near2).named("near") };
     EntryCover { entry, cover, leading }.outputs(&program, config);
-    compile(&program, options)
+    compile(&program, &options.taken_at_once())
 }
 
 /// A memory of them by entry.

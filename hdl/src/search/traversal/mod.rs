@@ -55,7 +55,7 @@ fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError
     let distance = (coordinate - split).named("distance");
     let path = Path { node: descent.node, distance2: distance * distance };
     Passed { is_leaf, push: Push { thread: descent.thread, path } }.outputs(&program, config);
-    compile(&program, options)
+    compile(&program, &options.taken_at_once())
 }
 
 /// The number of the first deepest leaf below a node (eq. 6.7): its address shifted up until the leading one is on top,
