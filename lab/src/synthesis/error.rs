@@ -1,5 +1,6 @@
 //! Why a unit could not be measured.
 
+use super::convergence::Divergence;
 use pointcore::generated::GenerateError;
 use pointcore_tb::cache::FileError;
 use std::path::PathBuf;
@@ -26,6 +27,16 @@ pub enum SynthesisError {
         unit: String,
         /// What it said last.
         output: String,
+    },
+    /// No router comes to its end.
+    #[error("`{unit}` cannot be routed with seed {seed}: {divergence}; choose a smaller configuration or another seed")]
+    Unroutable {
+        /// What was to be routed.
+        unit: String,
+        /// The seed.
+        seed: u32,
+        /// What the last router said.
+        divergence: Divergence,
     },
     /// A tool's report could not be read.
     #[error("the tools' report on `{unit}` is not as expected: {problem}")]

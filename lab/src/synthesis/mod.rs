@@ -4,6 +4,7 @@
 
 mod area;
 mod cells;
+mod convergence;
 mod document;
 mod error;
 mod record;
@@ -17,6 +18,7 @@ mod tools;
 mod units;
 
 pub use area::DeviceArea;
+pub use convergence::{Divergence, Iteration};
 pub use error::SynthesisError;
 pub use record::{AreaEntry, AreaRecord, Stale};
 pub use revision::Revision;
@@ -33,8 +35,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 use steps::watched;
 use target::{Device, routing_settings};
+use tools::Ending;
 pub(crate) use tools::Tool;
 
 /// A unit's area and clock.
@@ -87,7 +91,7 @@ impl Synthesizer {
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
-                let run = || self.route(unit, device, router, &synthesis, seed);
+                let run = || self.route(unit, device, router, &synthesis, seed, progress);
                 watched(name, Some(seed), progress, run)
             };
             runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
@@ -129,12 +133,13 @@ impl Synthesizer {
         router: &Tool,
         synthesis: &(PathBuf, String),
         seed: u32,
+        progress: StepListener<'_>,
     ) -> Result<Timing, SynthesisError> {
-        let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
-            let seed = seed.to_string();
-            let arguments: Vec<&str> = device.arguments(unit.scope).chain(options.iter().copied()).collect();
-            let parts = [start_key.as_str(), &router.description, &seed];
-            let key = key(parts.into_iter().chain(arguments.iter().copied()));
+        let begin = Instant::now();
+        let run = |(start, start_key): &(PathBuf, String), netlist: &str, arguments: &[&str], options: &[&str]| {
+            let text = seed.to_string();
+            let parts = [start_key.as_str(), &router.description, &text];
+            let key = key(parts.into_iter().chain(arguments.iter().copied()).chain(options.iter().copied()));
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
                 if netlist == PLACED {
@@ -142,21 +147,39 @@ impl Synthesizer {
                 } else {
                     fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 }
-                let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
-                router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
+                let files = ["--seed", &text, "--json", netlist, "--report", TIMING, "--log", ROUTING];
+                let arguments = [&["-q", "--timing-allow-fail"], &files[..], arguments, options].concat();
+                let log = content.join(ROUTING);
+                let diverges = || convergence::divergence(&fs::read_to_string(&log).unwrap_or_default());
+                if let Ending::Stopped(divergence) = router.run_while(&unit.name, content, &arguments, diverges)? {
+                    return Err(SynthesisError::Unroutable { unit: unit.name.clone(), seed, divergence });
+                }
                 Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
             })?;
             Ok::<_, SynthesisError>((entry, key))
         };
-        let (entry, _) = match unit.scope {
-            Scope::Unit => run(synthesis, NETLIST, &[])?,
+        let arguments: Vec<&str> = device.arguments(unit.scope).collect();
+        let placed = match unit.scope {
+            Scope::Unit => None,
             Scope::Core(_) => {
-                let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
+                let placed = run(synthesis, NETLIST, &arguments, &["--no-route", "--write", PLACED])?;
                 let key = key([placed.1.as_str(), &with_settings(unit.scope, SETTINGS)]);
-                run(&(placed.0, key), PLACED, &["--no-pack", "--no-place"])?
+                Some((placed.0, key))
             }
         };
-        timing::parse(&read(&entry.join(TIMING))?)
+        let routed = |arguments: &[&str]| match &placed {
+            None => run(synthesis, NETLIST, arguments, &[]),
+            Some(placed) => run(placed, PLACED, arguments, &["--no-pack", "--no-place"]),
+        };
+        let routed = match routed(&arguments) {
+            Err(SynthesisError::Unroutable { divergence, .. }) => {
+                let state = State::Diverged(divergence);
+                progress(&Step { unit: &unit.name, seed: Some(seed), duration: begin.elapsed(), state });
+                routed(&target::with_other_router(&arguments))
+            }
+            result => result,
+        };
+        timing::parse(&read(&routed?.0.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
 }

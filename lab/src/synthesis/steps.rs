@@ -1,5 +1,6 @@
 //! Steps of a measurement, and those who hear of them.
 
+use super::convergence::Divergence;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -24,6 +25,8 @@ pub struct Step<'a> {
 pub enum State {
     /// It goes on.
     Running,
+    /// A router was stopped, and another one goes on.
+    Diverged(Divergence),
     /// It is done.
     Done,
 }

@@ -13,6 +13,11 @@ const ALONE: &[&str] = &["--freq", "160"];
 /// of a full device find no way around.
 const WIDE: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
 
+/// The router that negotiates, and the one that nextpnr takes unless it is told.
+const NEGOTIATING: &str = "router2";
+/// See there.
+const OTHER: &str = "router1";
+
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -88,6 +93,16 @@ impl Device {
     }
 }
 
+/// Arguments of place and route, with nextpnr's other router.
+pub(super) fn with_other_router<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
+    let mut others = arguments.to_vec();
+    match others.iter().position(|&argument| argument == NEGOTIATING) {
+        Some(place) => others[place] = OTHER,
+        None => others.extend(["--router", NEGOTIATING]),
+    }
+    others
+}
+
 /// What the router has no argument for, as settings of a placed core.
 pub(super) const fn routing_settings(scope: Scope) -> &'static [(&'static str, u32)] {
     match scope {
@@ -144,5 +159,21 @@ impl Target {
             );
         }
         script
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_other_router_is_the_other_one() {
+        let device = Target::Ecp5.device().expect("an ECP5 is placed and routed");
+        for (scope, other) in [(Scope::Core(Crowding::Crowded), OTHER), (Scope::Core(Crowding::Roomy), NEGOTIATING)] {
+            let own: Vec<&str> = device.arguments(scope).collect();
+            let others = with_other_router(&own);
+            let place = others.iter().position(|&argument| argument == "--router").expect("it is said");
+            assert_eq!(others[place + 1], other);
+        }
     }
 }

@@ -3,8 +3,12 @@
 use super::SynthesisError;
 use pointcore_tb::cache::{file, target_folder};
 use pointcore_tb::toolchain::Version;
+use std::convert::Infallible;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::thread;
+use std::time::Duration;
 
 /// Older versions give larger and slower results, which would not compare.
 const OLDEST_YOSYS: &str = "0.60";
@@ -12,6 +16,10 @@ const OLDEST_YOSYS: &str = "0.60";
 const OLDEST_NEXTPNR: &str = "0.9";
 /// Lines of a failed tool's output that an error repeats.
 const LAST_LINES: usize = 12;
+/// How often a process is looked after: of what it has taken so far a tenth, within these limits.
+const SHORTEST_PAUSE: Duration = Duration::from_millis(2);
+/// See there.
+const LONGEST_PAUSE: Duration = Duration::from_secs(5);
 
 /// A program that answered and is new enough.
 #[derive(Clone, Debug)]
@@ -44,17 +52,74 @@ impl Tool {
 
     /// Runs it in a folder. Its files are named relative to that: the packaged tools see nothing else.
     pub fn run(&self, unit: &str, folder: &Path, arguments: &[&str]) -> Result<(), SynthesisError> {
-        let mut command = Command::new(&self.program);
-        let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output();
-        let output = output.map_err(file("start", &self.program))?;
-        if output.status.success() {
-            return Ok(());
+        match self.run_while(unit, folder, arguments, || None::<Infallible>)? {
+            Ending::Done => Ok(()),
+            Ending::Stopped(never) => match never {},
         }
-        let text = [output.stdout, output.stderr].concat();
+    }
+
+    /// The same, but stopped as soon as there is a reason to.
+    pub fn run_while<R>(
+        &self,
+        unit: &str,
+        folder: &Path,
+        arguments: &[&str],
+        reason: impl Fn() -> Option<R>,
+    ) -> Result<Ending<R>, SynthesisError> {
+        let mut command = Command::new(&self.program);
+        command.args(arguments).current_dir(folder).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().map_err(file("start", &self.program))?;
+        let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
+        let (status, text) = thread::scope(|scope| {
+            let [stdout, stderr] = [scope.spawn(|| all_of(stdout)), scope.spawn(|| all_of(stderr))];
+            let status = wait(&mut child, reason);
+            let text = [stdout, stderr].map(|reader| reader.join().expect("reading does not panic")).concat();
+            (status, text)
+        });
+        match status.map_err(file("wait for", &self.program))? {
+            Ok(status) if status.success() => return Ok(Ending::Done),
+            Ok(_) => {}
+            Err(reason) => return Ok(Ending::Stopped(reason)),
+        }
         let text = String::from_utf8_lossy(&text);
         let lines: Vec<_> = text.lines().collect();
         let output = lines[lines.len().saturating_sub(LAST_LINES)..].join("\n");
         Err(SynthesisError::Tool { tool: self.program.clone(), unit: unit.to_owned(), output })
+    }
+}
+
+/// How a tool came to its end.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Ending<R> {
+    /// By itself.
+    Done,
+    /// It was stopped, for that reason.
+    Stopped(R),
+}
+
+/// What can be read until the end.
+fn all_of(pipe: Option<impl Read>) -> Vec<u8> {
+    let mut text = Vec::new();
+    // What a stopped tool said last may be lost.
+    pipe.into_iter().for_each(|mut pipe| _ = pipe.read_to_end(&mut text));
+    text
+}
+
+/// Waits for the end of a process, or for a reason to stop it.
+fn wait<R>(child: &mut Child, reason: impl Fn() -> Option<R>) -> io::Result<Result<ExitStatus, R>> {
+    let (mut pause, mut waited) = (SHORTEST_PAUSE, Duration::ZERO);
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Ok(status));
+        }
+        if let Some(reason) = reason() {
+            child.kill()?;
+            child.wait()?;
+            return Ok(Err(reason));
+        }
+        thread::sleep(pause);
+        waited += pause;
+        pause = (waited / 10).clamp(SHORTEST_PAUSE, LONGEST_PAUSE);
     }
 }
 
@@ -94,5 +159,14 @@ mod tests {
         }
         assert!(!error.contains("line 38\n"), "only the last lines: {error}");
         assert!(shell.run("f32_add", Path::new("."), &["-c", "echo fine"]).is_ok());
+    }
+
+    #[test]
+    fn a_tool_is_stopped_when_there_is_a_reason() {
+        let shell = Tool { program: "sh".into(), description: String::new() };
+        let run = |script: &str, reason| shell.run_while("f32_add", Path::new("."), &["-c", script], || reason);
+        let endless = "while :; do :; done";
+        assert_eq!(run(endless, Some("it never ends")).expect("it starts"), Ending::Stopped("it never ends"));
+        assert_eq!(run("true", None).expect("it starts"), Ending::Done);
     }
 }

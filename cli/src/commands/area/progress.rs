@@ -58,6 +58,11 @@ impl Display {
                 note!("{unit}: {} has run for {}", under_way(seed), time(duration));
             }
             State::Running => {}
+            State::Diverged(divergence) => {
+                let note =
+                    || note!("{unit}: seed {}: {divergence}; stopped, the other router takes over", seed.unwrap_or(0));
+                self.spinners.suspend(note);
+            }
             State::Done => {
                 if let Some(spinner) = running.remove(&key) {
                     spinner.finish_and_clear();

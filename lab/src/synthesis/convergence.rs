@@ -1,0 +1,113 @@
+//! Whether a router will come to an end, by what it says on its way.
+//!
+//! nextpnr's negotiating router counts in each iteration the wires that are used more than once. They become fewer, or the router
+//! goes on for ever. It is given up if the fewest were [`RISING_ITERATIONS`] iterations ago or more and there are [`RISEN`] times as
+//! many now, or if they were [`STANDING_ITERATIONS`] ago. The other router, which rips up and routes again one wire after the other,
+//! counts none, and is never given up.
+
+use std::fmt;
+
+/// So long a router that converges rises no higher than [`RISEN`] times the fewest.
+const RISING_ITERATIONS: u32 = 16;
+/// See there.
+const RISEN: u32 = 2;
+/// So long no router finds nothing and then the end.
+const STANDING_ITERATIONS: u32 = 200;
+
+/// What an iteration says of itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Iteration {
+    /// Its number, from one.
+    pub number: u32,
+    /// Wires that are used more than once after it.
+    pub overused: u32,
+}
+
+/// A router that does not converge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Divergence {
+    /// The last iteration.
+    pub last: Iteration,
+    /// The first of those after which the fewest wires were overused.
+    pub best: Iteration,
+}
+
+impl fmt::Display for Divergence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { last, best } = self;
+        let [(last, now), (best, then)] = [last, best].map(|iteration| (iteration.number, iteration.overused));
+        write!(f, "after iteration {last} of the router {now} wires are overused, after iteration {best} {then} were")
+    }
+}
+
+impl Iteration {
+    /// Reads a line of the log.
+    fn parse(line: &str) -> Option<Self> {
+        let number = |name: &str| line.split_whitespace().find_map(|word| word.strip_prefix(name)?.parse().ok());
+        Some(Self { number: number("iter=")?, overused: number("overused=")? })
+    }
+}
+
+/// Whether the router whose log this is so far goes on for ever.
+pub(super) fn divergence(log: &str) -> Option<Divergence> {
+    let iterations: Vec<Iteration> = log.lines().filter_map(Iteration::parse).collect();
+    let last = *iterations.last()?;
+    let best = *iterations.iter().min_by_key(|iteration| iteration.overused)?;
+    let since = last.number.saturating_sub(best.number);
+    let rises = since >= RISING_ITERATIONS && last.overused > RISEN * best.overused;
+    (rises || since >= STANDING_ITERATIONS).then_some(Divergence { last, best })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What nextpnr-ecp5 says of an adder of `f16`.
+    const RECORDED: &str = include_str!("fixtures/router2.log");
+
+    /// Iterations of nextpnr's form with so many overused wires, from the first on.
+    fn log(overused: impl IntoIterator<Item = u32>) -> String {
+        let line = |(index, overused): (usize, u32)| {
+            let wires = 500_000 + overused;
+            let iteration = index + 1;
+            format!(
+                "Info:     iter={iteration} wires={wires} overused={overused} overuse={overused} tmgfail=0 archfail=NA\n"
+            )
+        };
+        std::iter::once("Info: Running main router loop...\n".to_owned())
+            .chain(overused.into_iter().enumerate().map(line))
+            .collect()
+    }
+
+    #[test]
+    fn a_router_that_comes_to_its_end_is_left_alone() {
+        let last = RECORDED.lines().filter_map(Iteration::parse).last();
+        assert_eq!(last, Some(Iteration { number: 11, overused: 0 }));
+        for end in 0..RECORDED.lines().count() {
+            let begin: Vec<&str> = RECORDED.lines().take(end).collect();
+            assert_eq!(divergence(&begin.join("\n")), None, "after {end} lines");
+        }
+        let slow = (0..400).map(|iteration| 400 - iteration + 30 * (iteration % 3));
+        assert_eq!(divergence(&log(slow)), None, "slowly, and not in every iteration");
+        assert_eq!(divergence("Info: Placing design\n"), None, "it has not begun");
+    }
+
+    #[test]
+    fn a_router_whose_wires_become_more_is_given_up_and_not_before_it_had_time() {
+        let falling = (0..25).map(|iteration| 50_000 - 2_000 * iteration);
+        let rising = |count: u32| (1..=count).map(|iteration| 2_000 + 1_050 * iteration);
+        let given_up = |count| divergence(&log(falling.clone().chain(rising(count))));
+        assert_eq!(given_up(RISING_ITERATIONS - 1), None);
+        let divergence = given_up(RISING_ITERATIONS).expect("it rises");
+        assert_eq!(divergence.best, Iteration { number: 25, overused: 2_000 });
+        assert_eq!(divergence.last, Iteration { number: 41, overused: 18_800 });
+        assert!(divergence.to_string().contains("iteration 41 of the router 18800 wires"), "{divergence}");
+    }
+
+    #[test]
+    fn a_router_that_stands_still_is_given_up() {
+        let standing = |count: u32| divergence(&log([60, 9, 3].into_iter().chain((0..count).map(|_| 3))));
+        assert_eq!(standing(STANDING_ITERATIONS - 1), None);
+        assert_eq!(standing(STANDING_ITERATIONS).map(|divergence| divergence.best.number), Some(3));
+    }
+}
