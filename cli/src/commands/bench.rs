@@ -2,7 +2,7 @@
 
 use super::{Failure, Output, existing, merge};
 use pointcore_lab::Figures;
-use pointcore_lab::bench::{configurations, effects, front, knn, operators, process, splat};
+use pointcore_lab::bench::{bounds, configurations, effects, front, knn, operators, process, splat, traffic};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bench`.
@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "process", "operators", "configurations", "front"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "bounds", "traffic", "effects", "knn", "process", "operators", "configurations", "front"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -28,6 +28,10 @@ pub struct Arguments {
 enum Part {
     /// The renderer: frames and simulation speed.
     Splat,
+    /// The renderer: what bounds a frame, on all shipped scenes.
+    Bounds,
+    /// The renderer: bytes to and from memory, reorder stage or tile cache; its charts and tables go to a folder `traffic-bench` beside the output.
+    Traffic,
     /// The renderer: what leaving out saves that a scene does not call for.
     Effects,
     /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
@@ -51,6 +55,12 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let measures = |part| arguments.only.contains(&part);
     if measures(Part::Splat) {
         splat::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Bounds) {
+        bounds::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Traffic) {
+        traffic::figures(scan, &arguments.output.with_file_name("traffic-bench"), &mut figures)?;
     }
     if measures(Part::Effects) {
         effects::figures(scan, &mut figures)?;

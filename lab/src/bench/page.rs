@@ -19,7 +19,12 @@ impl PageLine {
 
     /// The next category's value.
     pub fn push(&mut self, value: f64) {
-        self.values.push(Some(value));
+        self.push_if(Some(value));
+    }
+
+    /// The next category's value, if it has one.
+    pub fn push_if(&mut self, value: Option<f64>) {
+        self.values.push(value);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Figures of the renderer: frames, simulation speed, what planned hardware saves.
 
-use super::{load, median};
+use super::{SCAN_SCENE, load, load_shipped, median};
 use crate::note;
 use crate::{Figures, LabError};
 use pointcore::area::count;
@@ -31,16 +31,13 @@ const STALL_SHARE: f64 = 0.3;
 /// # Errors
 /// A scene cannot be loaded, or hardware and model differ.
 pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabError> {
-    let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
+    let knot = Prepared::new(Path::new("scenes/knot.toml"))?;
     speed_figures(&knot, figures)?;
     frame_figures(&knot, figures)?;
-    let setting = scan.map(|path| format!("object.0.path={}", path.display()));
-    match Prepared::new(Path::new("scenes/igea.toml"), setting.as_slice()) {
-        Ok(igea) => frame_figures(&igea, figures)?,
-        Err(LabError::Scene(error)) if scan.is_none() => note!("scenes/igea.toml is left out: {error}"),
-        Err(failure) => return Err(failure),
+    if let Some((scene, plan)) = load_shipped(SCAN_SCENE, scan)? {
+        frame_figures(&Prepared::on(SCAN_SCENE.to_owned(), scene, plan)?, figures)?;
     }
-    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, figures)
+    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"))?, figures)
 }
 
 /// A scene with its hardware, ready to run.
@@ -54,8 +51,8 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(path: &Path, settings: &[String]) -> Result<Self, LabError> {
-        let (scene, plan) = load(path, settings)?;
+    fn new(path: &Path) -> Result<Self, LabError> {
+        let (scene, plan) = load(path, &[])?;
         let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         Self::on(name, scene, plan)
     }
@@ -73,14 +70,38 @@ impl Prepared {
     }
 
     fn runner(&self, stall: Stall, seed: u64) -> SplatRunner<'_> {
-        SplatRunner {
-            config: &self.plan.config,
-            frame: &self.frame,
-            stall,
-            seed,
-            progress: &|_, _| {},
-            stop_after: None,
-        }
+        SplatRunner { stall, seed, ..SplatRunner::new(&self.plan.config, &self.frame) }
+    }
+}
+
+/// A frame of which a report is wanted.
+pub(super) struct Reported<'a> {
+    pub name: &'a str,
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub engine: &'static str,
+    pub mismatches: Option<u64>,
+}
+
+impl Reported<'_> {
+    /// What is said of it.
+    pub fn report(&self, runner: &SplatRunner, outcome: &SplatOutcome) -> SplatReport {
+        let Self { name, scene, plan, engine, mismatches } = *self;
+        let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+        let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+        SplatReport::new(&SplatRun {
+            scene: name,
+            engine,
+            config: &plan.config,
+            memory: runner.memory,
+            fates: Fates::of(&plan.config, runner.frame),
+            counters: &outcome.counters,
+            frame: &rendered,
+            reference: &reference,
+            psnr_db: shade(&rendered, scene).psnr_db(&shade(&reference, scene)),
+            mismatches,
+            simulated_cycles_per_second: speed(outcome),
+        })
     }
 }
 
@@ -98,25 +119,12 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
         mismatches += u64::from(stalled.fragments != outcome.fragments);
     }
 
-    let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    let rendered = assemble(plan, &scene.splats, &outcome.fragments);
-    let psnr_db = shade(&rendered, scene).psnr_db(&shade(&reference, scene));
-    let report = SplatReport::new(&SplatRun {
-        scene: name,
-        engine: "rtl in lockstep with golden",
-        config: &plan.config,
-        fates: Fates::of(&plan.config, frame),
-        counters: &outcome.counters,
-        frame: &rendered,
-        reference: &reference,
-        psnr_db,
-        mismatches: Some(mismatches),
-        simulated_cycles_per_second: speed(&outcome),
-    });
+    let reported = Reported { name, scene, plan, engine: "rtl in lockstep with golden", mismatches: Some(mismatches) };
+    let report = reported.report(&free, &outcome);
     let mut insert = |key: &str, value: Value| figures.insert(format!("splat.{name}.{key}"), value);
     insert("splats", (frame.records.len() - 1).into());
     insert("mismatches", mismatches.into());
-    insert("psnr_db", psnr_db.into());
+    insert("psnr_db", report.psnr_db.into());
     insert("cycles", report.cycles.into());
     insert("cycles_per_splat", report.cycles_per_splat.into());
     insert("cycles_per_sample", report.cycles_per_sample.into());

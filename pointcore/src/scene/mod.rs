@@ -199,3 +199,5 @@ mod tests;
 
 #[cfg(test)]
 mod model_scenes;
+#[cfg(test)]
+mod shipped_scenes;

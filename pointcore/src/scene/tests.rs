@@ -56,54 +56,6 @@ fn example_scenes_load_and_cover_their_picture() {
 }
 
 #[test]
-fn inside_of_a_model_splats_reach_behind_the_eye() {
-    let scene = Scene::load(&example("inside.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
-    let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    let statistics = frame.statistics;
-    assert!(statistics.crossing > 5 && statistics.samples > 2 * statistics.inside, "{statistics:?}");
-    let crosses = |plane: f64| {
-        let [x, y, z, offset] = scene.camera.model_view[2];
-        let along = |vector: [f32; 3]| x * f64::from(vector[0]) + y * f64::from(vector[1]) + z * f64::from(vector[2]);
-        let reaches = |splat: &&pointcore_contract::Splat| {
-            let [first, second] = splat.tangents.map(along);
-            (along(splat.center) + offset - plane).abs() < first.hypot(second)
-        };
-        scene.splats.iter().filter(reaches).count()
-    };
-    assert!(crosses(0.0) > 20 && crosses(scene.camera.near) > 20, "{} {}", crosses(0.0), crosses(scene.camera.near));
-}
-
-#[test]
-fn dense_splats_lie_a_hundred_deep() {
-    let scene = Scene::load(&example("dense.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
-    let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    let overdraw = frame.statistics.inside as f64 / frame.pixels.iter().flatten().count() as f64;
-    assert!((90.0..110.0).contains(&overdraw), "{overdraw}");
-}
-
-/// Splats, coverage in percent, overdraw, samples a splat, and attributes of the thesis' table 5.3. Coverage is that of FLIPQUAD's samples,
-/// overdraw counts samples inside their splat for each of these, and samples a splat those for each that is drawn.
-#[test]
-fn scenes_of_table_5_3_have_its_statistics() {
-    const TOLERANCE: f64 = 0.01;
-    for (name, splats, expected, attributes) in [
-        ("bench/table53_1.toml", 101_685, [31.2, 6.8, 19.36], 14),
-        ("bench/table53_2.toml", 101_685, [1.3, 27.7, 3.5], 3),
-        ("bench/table53_3.toml", 465_878, [43.5, 17.6, 12.6], 6),
-    ] {
-        let scene = Scene::load(&example(name), &[]).unwrap_or_else(|error| panic!("{error}"));
-        let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-        let covered = frame.pixels.iter().flatten().count() as f64;
-        let (inside, drawn) = (frame.statistics.inside as f64, frame.statistics.drawn() as f64);
-        let found = [100.0 * covered / frame.pixels.len() as f64, inside / covered, inside / drawn];
-        let is_near = |(found, expected): (&f64, &f64)| (found / expected - 1.0).abs() < TOLERANCE;
-        assert!(found.iter().zip(&expected).all(is_near), "{name}: {found:?}");
-        let carried = crate::plan::Plan::of(&scene).unwrap_or_else(|error| panic!("{error}")).config.continuous;
-        assert_eq!((scene.splats.len(), carried), (splats, attributes), "{name}");
-    }
-}
-
-#[test]
 fn a_surface_leaves_no_holes() {
     let scene = Scene::load(&example("knot.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
     let frame = render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);

@@ -14,6 +14,7 @@ mod page;
 mod recorded;
 mod report;
 mod run;
+mod sequence;
 mod session;
 
 pub use bound::{FrameBound, copy_interval};
@@ -25,6 +26,7 @@ pub use generate::SplatCore;
 pub use host::{EventCounts, SplatCounters, SplatHost};
 pub use page::{FramePictures, RunPage};
 pub use recorded::record;
-pub use report::{FrameFigures, SplatReport, SplatRun};
+pub use report::{SplatReport, SplatRun};
 pub use run::{SplatOutcome, SplatRunner};
+pub use sequence::FrameFigures;
 pub use session::{FrameFragment, RenderEngine, RenderError, RenderSession, RenderedFrame};

@@ -5,7 +5,8 @@ mod maps;
 mod timeline;
 
 use super::activity::Activity;
-use super::report::{FrameFigures, SplatReport};
+use super::report::SplatReport;
+use super::sequence::FrameFigures;
 use crate::page::{Bar, Page, bars, embedded, escape, grid, table};
 use crate::picture::Picture;
 use crate::plan::Plan;

@@ -1,0 +1,73 @@
+//! What bounds a frame, on the scenes that matter, by the number of rasterizers; on the golden model.
+
+use super::splat::Reported;
+use super::{SCENES, load_shipped};
+use crate::{Figures, LabError, note};
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
+use rayon::prelude::*;
+use serde_json::Value;
+use std::path::Path;
+
+/// Scenes with the statistics of the thesis' table 5.3.
+pub(super) const TABLE_SCENES: [&str; 3] = ["bench/table53_1", "bench/table53_2", "bench/table53_3"];
+/// Numbers of rasterizers.
+const RASTERIZERS: [u32; 1] = [1];
+/// The key of the configuration that counts them, as far as it has one.
+const RASTERIZERS_KEY: &str = "rasterizers";
+
+/// Measures every shipped scene; `scan` is the model of scenes/igea.toml.
+///
+/// # Errors
+/// A scene cannot be loaded, or its frame does not come to its end.
+pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabError> {
+    let names: Vec<_> = SCENES.into_iter().chain(TABLE_SCENES).collect();
+    let measured: Vec<_> = names.par_iter().map(|name| scene_figures(name, scan)).collect::<Result<_, _>>()?;
+    figures.extend(measured.into_iter().flatten());
+    Ok(())
+}
+
+/// The frames of a scene.
+fn scene_figures(path: &str, scan: Option<&Path>) -> Result<Figures, LabError> {
+    let mut figures = Figures::new();
+    let Some((scene, plan)) = load_shipped(path, scan)? else { return Ok(figures) };
+    let name = path.rsplit('/').next().unwrap_or(path);
+    for count in RASTERIZERS {
+        note!("{name}: golden model, {count} rasterizers");
+        for (key, value) in frame_figures(name, &scene, &with_rasterizers(&scene, &plan, count)?)? {
+            figures.insert(format!("splat.{name}.n{count}.{key}"), value);
+        }
+    }
+    Ok(figures)
+}
+
+/// A plan for so many rasterizers; one is what there is.
+fn with_rasterizers(scene: &Scene, plan: &Plan, count: u32) -> Result<Plan, LabError> {
+    if count == 1 {
+        return Ok(plan.clone());
+    }
+    let mut overrides = scene.overrides.clone();
+    overrides.insert(RASTERIZERS_KEY.to_owned(), i64::from(count).into());
+    Ok(Plan::with_overrides(scene, &overrides)?)
+}
+
+/// Whole frames, flush included.
+fn frame_figures(name: &str, scene: &Scene, plan: &Plan) -> Result<[(&'static str, Value); 9], LabError> {
+    let core = SplatCore::generate(&plan.config)?;
+    let frame = EncodedFrame::new(scene, plan);
+    let runner = SplatRunner::new(&plan.config, &frame);
+    let outcome = runner.golden(&core)?;
+    let report = Reported { name, scene, plan, engine: "golden", mismatches: None }.report(&runner, &outcome);
+    Ok([
+        ("cycles", report.cycles.into()),
+        ("bound_fraction", report.bound_fraction.into()),
+        ("visited_ratio", report.visited_ratio.into()),
+        ("hazard_fraction", report.hazard_fraction.into()),
+        ("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into()),
+        ("cycles_per_copy", report.cycles_per_copy.into()),
+        ("samples_per_splat", report.samples_per_splat.into()),
+        ("coverage", report.coverage.into()),
+        ("overdraw", report.overdraw.into()),
+    ])
+}
