@@ -6,7 +6,7 @@ mod places;
 #[cfg(test)]
 mod tests;
 
-use crate::stream::HalfBuffer;
+use crate::stream::Skid;
 use crate::unit::Model;
 use places::{Closed, Places};
 use pointcore_contract::splat::Config;
@@ -35,12 +35,12 @@ pub struct Payloads {
     /// The copy at the input needs no place.
     passes: bool,
     arrived: Option<Arrived>,
-    next: HalfBuffer<PlacedCopy>,
-    current: Option<CompleteCopy>,
-    /// Where the current copy's payload lies.
-    current_place: u16,
+    next: Skid<PlacedCopy>,
+    /// The copy whose payload is read.
+    current: Option<PlacedCopy>,
     /// Its word that the memory shows.
     beat: u32,
+    out: Option<CompleteCopy>,
 }
 
 impl Payloads {
@@ -55,10 +55,10 @@ impl Payloads {
             open: None,
             passes: false,
             arrived: None,
-            next: HalfBuffer::default(),
+            next: Skid::default(),
             current: None,
-            current_place: 0,
             beat: 0,
+            out: None,
         }
     }
 
@@ -107,21 +107,23 @@ impl Payloads {
         self.arrived.filter(|arrived| arrived.written + 1 >= self.beats).map(|arrived| arrived.copy)
     }
 
-    /// The way out: returns the place of a copy that leaves.
+    /// The way out: returns the place that a copy has been read from.
     fn leave(&mut self, inputs: &In) -> Option<u16> {
-        let taken = self.out().filter(|_| inputs.out_ready);
-        let left = taken.filter(|copy| !copy.end).map(|_| self.current_place);
-        let advances = self.current.is_none() || taken.is_some();
+        let is_read = self.beat + 1 == self.beats;
+        let has_room = self.out.is_none() || inputs.out_ready;
+        let read = self.current.filter(|_| is_read && has_room);
+        if has_room {
+            self.out = read.map(|read| self.complete(&read));
+        }
+        let advances = self.current.is_none() || read.is_some();
         if advances {
-            let next = self.next.out().copied();
-            self.current = next.map(|next| self.complete(&next));
-            self.current_place = next.map_or(0, |next| next.copy.splat);
+            self.current = self.next.out().copied();
             self.beat = 0;
-        } else if self.beat + 1 < self.beats {
+        } else if !is_read {
             self.beat += 1;
         }
         self.next.step(inputs.placed, advances);
-        left
+        read.filter(|read| !read.copy.end).map(|read| read.copy.splat)
     }
 
     fn complete(&self, placed: &PlacedCopy) -> CompleteCopy {
@@ -132,10 +134,6 @@ impl Payloads {
         let (footprint, attributes) = self.payloads[usize::from(splat)];
         CompleteCopy { end, footprint, attributes, bounds, diagonals, tile, slot }
     }
-
-    fn out(&self) -> Option<CompleteCopy> {
-        self.current.filter(|_| self.beat + 1 == self.beats)
-    }
 }
 
 impl Model for Payloads {
@@ -144,7 +142,7 @@ impl Model for Payloads {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        Out { in_ready: self.in_ready(), copy: self.shown(), placed_ready: self.next.in_ready(), out: self.out() }
+        Out { in_ready: self.in_ready(), copy: self.shown(), placed_ready: self.next.in_ready(), out: self.out }
     }
 
     fn clock(&mut self, inputs: &In) {

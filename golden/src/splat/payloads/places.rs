@@ -78,10 +78,8 @@ impl Places {
         count
     }
 
-    /// The last operation takes effect; returns the place if nothing is left to come or to go there.
-    fn settle(&mut self) -> Option<u16> {
-        let [.., last] = self.operations;
-        let Operation { place, amount } = last?;
+    /// An operation takes effect; returns the place if nothing is left to come or to go there.
+    fn settle(&mut self, Operation { place, amount }: Operation) -> Option<u16> {
         let balance = &mut self.balances[usize::from(place)];
         *balance = balance.wrapping_add(amount) & self.mask;
         (*balance == 0).then_some(place)
@@ -89,12 +87,14 @@ impl Places {
 
     /// A cycle: a splat is `closed`, another has `begun` at the free place, a copy of the place `left` leaves.
     pub fn step(&mut self, closed: Option<Closed>, begun: bool, left: Option<u16>) {
-        let is_cleared = self.cleared == self.balances.len();
-        let released = if is_cleared {
-            self.settle()
-        } else {
-            self.cleared += 1;
-            Some(self.cleared as u16 - 1)
+        let [.., settles] = self.operations;
+        let released = match settles {
+            Some(operation) => self.settle(operation),
+            None if self.cleared < self.balances.len() => {
+                self.cleared += 1;
+                Some(self.cleared as u16 - 1)
+            }
+            None => None,
         };
         let begins = match self.left {
             Some(place) => Some(Operation { place, amount: self.mask }),
@@ -105,7 +105,7 @@ impl Places {
         self.operations = [begins, first, second];
         self.left = left;
 
-        let takes = self.free.is_none() && is_cleared;
+        let takes = self.free.is_none();
         let head = self.released.out().copied();
         self.released.step(released, takes);
         if takes {

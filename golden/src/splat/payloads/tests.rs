@@ -102,7 +102,7 @@ fn every_copy_gets_its_payload_and_every_place_is_free_again() {
     });
 }
 
-/// A copy every second cycle, or as often as its payload moves.
+/// A copy every second cycle, as they arrive, or as often as its payload moves.
 #[test]
 fn copies_follow_each_other_as_fast_as_their_words() {
     for (payload_beats, interval) in [(1, 2), (2, 2), (3, 3), (8, 8)] {

@@ -128,27 +128,32 @@ fn read(
     kept
 }
 
-/// The way out: gives copies their payload back; returns the cycles in which one leaves, and its place.
+/// The way out: gives copies their payload back; returns the cycles in which one has been read, and its place.
 fn leave(m: &mut Module, config: &Config, words: Words, memory: &Sliced) -> (Expr, Expr) {
-    let next = PORTS.placed.half(m, config);
+    let next = PORTS.placed.queue(m, config);
     let valid = m.reg_reset("current_valid", 1, 0);
-    let taken = m.forward("out_taken", 1);
     let beat = (words.count > 1).then(|| m.reg("beat", words.index_bits()));
-    let complete = beat.map_or(bit(true), |beat| words.is_last(*beat));
-    let shown = m.wire("out_shown", valid & complete);
-    let advance = m.wire("advance", !valid | (complete & taken));
+    let is_read = beat.map_or(bit(true), |beat| words.is_last(*beat));
+    let out_valid = m.reg_reset("out_holds", 1, 0);
+    let out_taken = m.forward("out_taken", 1);
+    let has_room = m.wire("out_room", !out_valid | out_taken);
+    let leaves = m.wire("leaves", (valid & is_read) & has_room);
+    let advance = m.wire("advance", !valid | leaves);
     m.drive(next.ready, advance);
     m.next_if(valid, advance, next.valid);
     let current = next.record.register(m, config, "current_", advance);
     let places = [next.record.copy.splat, current.copy.splat];
     let payload = read(m, words, beat, advance, places, memory);
 
+    // What the memory shows last goes straight into a register, beside what was kept.
     let Payload { footprint, attributes } = words.join(config, &payload);
     let PlacedCopy { copy: TileCopy { end, bounds, diagonals, tile, splat }, slot } = current;
     let copy = CompleteCopy { end, footprint, attributes, bounds, diagonals, tile, slot };
-    let out_ready = PORTS.out.drive(m, config, shown, copy);
-    m.drive(taken, out_ready);
-    (m.wire("leaves", (shown & out_ready) & !end), splat)
+    let out = copy.register(m, config, "held_out_", has_room);
+    m.next_if(out_valid, has_room, leaves);
+    let out_ready = PORTS.out.drive(m, config, out_valid, out);
+    m.drive(out_taken, out_ready);
+    (m.wire("is_left", leaves & !end), splat)
 }
 
 /// The unit.

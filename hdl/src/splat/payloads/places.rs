@@ -76,15 +76,13 @@ impl Places {
         let queue = fifo(config.splats_held().max(2), &layout::<Place>(config));
         let (released, reused) = Pushed::<Place>::place(m, config, "released", queue);
 
-        // After reset nothing is known of the balances: one after the other is cleared, and its place is free.
+        // After reset nothing is known of the balances: one after the other is cleared, and its place is free then.
         let clearing = m.reg_reset("clearing", 1, 1);
         let cleared = m.reg_reset("cleared", bits, 0);
-        m.next_if(cleared, clearing, cleared.add_lit(1));
-        m.next_if(clearing, cleared.eq_lit(u128::from(config.splats_held()) - 1), lit(1, 0));
 
         let has_free = m.reg_reset("has_free", 1, 0);
         let free = m.reg("free", bits);
-        let takes = m.wire("takes_free", !(has_free | clearing));
+        let takes = m.wire("takes_free", !has_free);
         m.drive(reused.ready, takes);
         m.next_if(free, takes, reused.record.place);
         Self {
@@ -154,11 +152,15 @@ impl Places {
         let before = sources.fold(balance.expr(), |before, (follows, number)| follows.mux(number, before));
         m.drive(sum, before + caught.number);
 
-        let clearing = self.clearing.expr();
-        let written = clearing.mux(self.cleared, added.place);
-        m.write(balances, clearing | added.valid, written, !clearing.repeat(width) & added.number);
-        let settled = m.wire("settled", added.valid & added.number.is_zero());
-        let releases = m.wire("releases", clearing | settled);
+        // The memory is written by sums, and where there is none by what clears it.
+        let (clearing, cleared) = (self.clearing, self.cleared);
+        let clears = m.wire("clears", clearing & !added.valid);
+        m.next_if(cleared, clears, cleared.add_lit(1));
+        let is_last = cleared.eq_lit(u128::from(config.splats_held()) - 1);
+        m.next(clearing, clearing & !(clears & is_last));
+        let written = added.valid.mux(added.place, cleared);
+        m.write(balances, clearing | added.valid, written, added.valid.repeat(width) & added.number);
+        let releases = m.wire("releases", clears | (added.valid & added.number.is_zero()));
         m.assert("a_place_that_is_free_has_room", !releases | self.released.room);
         self.released.push(m, config, releases, Place { place: written });
     }
