@@ -1,8 +1,8 @@
 // splat_reorder: every copy comes out once with its tile and what it carries, those of a tile in the order in which they came, and the
 // end of a frame in its place.
 //
-// Two symbolic copies are watched by their tags, which are a part of what they carry, as are a few bits more; the rest is zero, and lies
-// in the same words. The source may withdraw what it offers, and the sink may stall as it likes. That tiles come in the heap's order is
+// Two symbolic copies are watched by their tags, in the place of their splats', and carry a few bits more; the rest is zero, and lies in
+// the same words. The source may withdraw what it offers, and the sink may stall as it likes. That tiles come in the heap's order is
 // proved of the heap; lists promise none.
 module proof (input clk);
     `include "sizes.vh"
@@ -13,18 +13,15 @@ module proof (input clk);
     (* anyseq *) reg in_valid, in_end, out_ready;
     (* anyseq *) reg [1:0] in_tile;
     (* anyseq *) reg [1:0] tag, in_payload;
-    wire [31:0] in_center_x = tag, in_center_y = 0, in_ax = 0, in_bx = 0, in_ay = 0, in_by = 0, in_delta = 0, in_mx = 0, in_my = 0;
-    wire [23:0] in_depth = 0, in_depth_low = 0, in_depth_high = 0;
-    wire [ATTRIBUTE_BITS-1:0] in_attribute_0 = 0;
     wire [2:0] in_left = 0, in_right = 0, in_top = 0, in_bottom = in_payload;
+    wire [1:0] in_splat = tag;
     wire [3:0] in_first_sum = 0, in_last_sum = 0, in_first_difference = 0, in_last_difference = 0;
     wire in_ready, out_valid, out_end;
-    wire [31:0] out_center_x;
+    wire [1:0] out_splat;
     wire [2:0] out_bottom;
     wire [1:0] out_tile;
     `UNIT unit (
-        .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(), .out_depth_low(),
-        .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_attribute_0(),
+        .out_left(), .out_right(), .out_top(),
         .out_first_sum(), .out_last_sum(), .out_first_difference(), .out_last_difference(), .*
     );
 
@@ -33,8 +30,8 @@ module proof (input clk);
     localparam A = 1, B = 2;
     wire pushes_a = push && !in_end && tag == A;
     wire pushes_b = push && !in_end && tag == B;
-    wire shows_a = out_valid && !out_end && out_center_x[1:0] == A;
-    wire shows_b = out_valid && !out_end && out_center_x[1:0] == B;
+    wire shows_a = out_valid && !out_end && out_splat == A;
+    wire shows_b = out_valid && !out_end && out_splat == B;
 
     // The watched copies that are inside, and copies and ends in all.
     reg has_a = 0, has_b = 0, a_came_first;
@@ -58,8 +55,8 @@ module proof (input clk);
     wire waits = (in_valid && !in_ready) || held != 0 || ends != 0;
     always @(posedge clk) if (!rst) stands <= leaves || push || !waits ? 0 : stands + out_ready;
 
-    // Where nothing moves for want of a pointer, one copy waits for it, as many have one, and three have given theirs back.
-    localparam FULL = 1 + POINTERS + 3;
+    // Where nothing moves for want of a pointer, one copy waits for it, as many have one, and two have given theirs back.
+    localparam FULL = 1 + POINTERS + 2;
     reg [3:0] refused = 0;
     always @(posedge clk) if (!rst) refused <= !in_valid || in_ready || leaves || ends != 0 ? 0 : refused + !refused[3];
 
@@ -76,7 +73,7 @@ module proof (input clk);
         goes_on: assert (stands <= PATIENCE);
     end
     axi_channel #(.OURS(1), .WIDTH(8)) out_stays (
-        clk, rst, out_valid, out_ready, {out_end, {out_tile, out_center_x[1:0], out_bottom} | {7{out_end}}}
+        clk, rst, out_valid, out_ready, {out_end, {out_tile, out_splat, out_bottom} | {7{out_end}}}
     );
 
 `ifdef STALLED

@@ -22,12 +22,9 @@ module proof (input clk);
 
     (* anyseq *) reg in_valid, in_end, out_ready, read_ready, data_valid, write_ready, pixel_ready, retire_valid, retire_slot, frame_end;
     (* anyseq *) reg [1:0] in_tile, sample_reads, sample_writes;
-    (* anyseq *) reg [ATTRIBUTE_BITS-1:0] in_attribute_0;
     (* anyseq *) reg data_any, held_any, sample;
     (* anyconst *) reg [31:0] any;
-    wire [31:0] in_center_x = any, in_center_y = any, in_ax = any, in_bx = any, in_ay = any, in_by = any, in_delta = any;
-    wire [31:0] in_mx = any, in_my = any;
-    wire [23:0] in_depth = any, in_depth_low = any, in_depth_high = any;
+    wire in_splat = any;
     wire [2:0] in_left = any, in_right = any, in_top = any, in_bottom = any;
     wire [3:0] in_first_sum = any, in_last_sum = any, in_first_difference = any, in_last_difference = any;
     wire in_ready, out_valid, out_end, out_slot, read_valid, data_ready, write_valid, pixel_valid, pixel_end, fill_valid, fill_slot;
@@ -36,12 +33,11 @@ module proof (input clk);
     wire [1:0] out_tile, read_tile, write_tile, pixel_tile, slot_ready;
     wire [5:0] read_pixel, write_pixel, pixel_pixel, fill_pixel, drain_pixel;
     wire [3:0] read_count;
-    wire [ATTRIBUTE_BITS-1:0] out_attribute_0, write_attribute_0, pixel_attribute_0, fill_attribute_0, data_attribute_0, drained_attribute_0;
+    wire [ATTRIBUTE_BITS-1:0] write_attribute_0, pixel_attribute_0, fill_attribute_0, data_attribute_0, drained_attribute_0;
     wire [27:0] data_weight, write_weight, pixel_weight, fill_weight, drained_weight;
     wire [51:0] data_depth, write_depth, pixel_depth, fill_depth, drained_depth;
     `UNIT unit (
-        .out_center_x(), .out_center_y(), .out_ax(), .out_bx(), .out_ay(), .out_by(), .out_delta(), .out_mx(), .out_my(), .out_depth(),
-        .out_depth_low(), .out_depth_high(), .out_left(), .out_right(), .out_top(), .out_bottom(),
+        .out_splat(), .out_left(), .out_right(), .out_top(), .out_bottom(),
         .out_first_sum(), .out_last_sum(), .out_first_difference(), .out_last_difference(), .*
     );
     wire [1:0] written_value = {write_weight[0], write_attribute_0[0]};

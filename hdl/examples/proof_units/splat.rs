@@ -5,7 +5,7 @@ use pointcore_contract::splat::attribute::{AttributeFormat, Fraction};
 use pointcore_contract::splat::config::Reordering;
 use pointcore_contract::splat::{Config, Feature};
 use pointcore_hdl::splat::tile_cache::Depths;
-use pointcore_hdl::splat::{accumulator, heap, reorder, tile_cache};
+use pointcore_hdl::splat::{accumulator, heap, payloads, reorder, tile_cache};
 
 /// An image of two by two tiles.
 const EDGE: u32 = 16;
@@ -33,18 +33,32 @@ fn heaps() -> [Proof; 3] {
 /// A cache of two slots for four tiles, with short queues, with neighbors of all kinds and with some that never wait.
 fn tile_caches() -> [Proof; 2] {
     const DEPTHS: Depths = Depths { placed: 2, asked: 2, written: 2 };
-    let config = Config { tile_slots: 2, ..copies() };
+    let config = Config { splat_levels: 0, tile_slots: 2, ..copies() };
     let sizes = [("ATTRIBUTE_BITS", config.attribute.width())];
     let cache = |name| Proof::new(name, tile_cache::sized(&config, DEPTHS), &sizes);
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
 }
 
+/// Payloads of one splat, in one word and in two, and of two splats.
+fn payloads() -> [Proof; 3] {
+    let payloads = |name, splat_levels, payload_beats| {
+        let config = Config { splat_levels, payload_beats, tile_slots: 2, ..copies() };
+        let sizes = [
+            ("PLACES", config.splats_held()),
+            ("SPLAT_BITS", config.splat_bits()),
+            ("ATTRIBUTE_BITS", config.attribute.width()),
+            ("PATIENCE", 16 + payload_beats),
+        ];
+        Proof::new(name, payloads::module(&config), &sizes)
+    };
+    [payloads("splat_payloads", 0, 2), payloads("splat_payloads_word", 0, 1), payloads("splat_payloads_two", 1, 3)]
+}
+
 /// Copies that wait by four pointers, with and without a sink that begins late.
 fn reorders() -> [Proof; 3] {
     let reorder = |name, reorder, patience| {
-        let config = Config { heap_levels: 2, reorder, tile_slots: 3, ..copies() };
-        let sizes =
-            [("POINTERS", config.pointers()), ("ATTRIBUTE_BITS", config.attribute.width()), ("PATIENCE", patience)];
+        let config = Config { heap_levels: 2, splat_levels: 2, reorder, tile_slots: 3, ..copies() };
+        let sizes = [("POINTERS", config.pointers()), ("PATIENCE", patience)];
         Proof::new(name, reorder::module(&config), &sizes)
     };
     [
@@ -69,5 +83,5 @@ fn accumulator() -> Proof {
 }
 
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
-    heaps().into_iter().chain(tile_caches()).chain(reorders()).chain([accumulator()])
+    heaps().into_iter().chain(tile_caches()).chain(payloads()).chain(reorders()).chain([accumulator()])
 }
