@@ -94,6 +94,7 @@ impl Plan {
         config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
         config.cardinal = has_materials(scene).into();
         config.heap_levels = config.heap_levels.min((demand.copies.max(2).ilog2() + 1).max(2));
+        config.splat_levels = config.splat_levels.min(demand.drawn.max(1).ilog2() + 1);
         let [columns, rows] = demand.tiles();
         config.tile_slots = config.tile_slots.min((columns * rows).max(2));
         let interval = demand.load.interval();
@@ -184,6 +185,11 @@ fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
             Effect::HeapLevels,
             format!("{} levels", config.heap_levels),
             format!("{copies} splat copies pass the reorder stage, it holds {}", config.copies_held()),
+        ),
+        fixed(
+            "payloads",
+            &format!("{} splats", config.splats_held()),
+            &format!("{drawn} splats are drawn; the payload of one is held while a copy of it waits"),
         ),
         of(
             Effect::TileSlots,

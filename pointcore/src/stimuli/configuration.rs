@@ -15,6 +15,8 @@ const RARELY: u32 = 24;
 const SAMPLES_MAX: u32 = 1 << 14;
 /// Splats in a frame are so many that more levels would not fill the heap.
 const HEAP_LEVELS: RangeInclusive<u32> = 2..=8;
+/// The same of places for payloads.
+const SPLAT_LEVELS: RangeInclusive<u32> = 0..=6;
 /// Registers of all priority queues together, beyond which a core takes minutes to compile.
 const RANKS_MAX: u32 = 512;
 
@@ -99,6 +101,8 @@ pub fn renderer(random: &mut Rng) -> splat::Config {
         reorder: one_of(random, &[Reordering::Heap, Reordering::Lists]),
         tiles_in_turn: random.u32(1..=8),
         heap_interval: one_of(random, &[2, 4]),
+        splat_levels: mostly(random, SPLAT_LEVELS, 0..=14),
+        payload_beats: random.u32(1..=8),
         tile_slots: mostly(random, 2..=6, 2..=64),
         rasterizers: rasterizers(random, width),
         transform_interval: random.u32(1..=16),
@@ -192,6 +196,8 @@ mod tests {
             ("width", &["1", "8", "72"]),
             ("height", &["1", "8", "72"]),
             ("heap_levels", &["2", "8", "14"]),
+            ("splat_levels", &["0", "6", "14"]),
+            ("payload_beats", &["1", "8"]),
             ("tile_slots", &["2", "6", "64"]),
             ("transform_interval", &["1", "16"]),
             ("setup_interval", &["1", "16"]),

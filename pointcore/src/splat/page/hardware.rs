@@ -46,6 +46,7 @@ pub fn add(page: Page, plan: &Plan) -> Page {
             size(Effect::Continuous.name(), config.continuous),
             size(Effect::Cardinal.name(), config.cardinal),
             size("heap levels", config.heap_levels),
+            size("payloads", config.splats_held()),
             size(Effect::TileSlots.name(), config.tile_slots),
         ];
         let html = grid_of_text(&["part", "", ""], &rows) + "<h3>Attributes</h3>\n" + &attributes;
