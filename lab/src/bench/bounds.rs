@@ -13,8 +13,8 @@ use std::path::Path;
 /// Scenes with the statistics of the thesis' table 5.3.
 pub(super) const TABLE_SCENES: [&str; 3] = ["bench/table53_1", "bench/table53_2", "bench/table53_3"];
 /// Numbers of rasterizers.
-const RASTERIZERS: [u32; 1] = [1];
-/// The key of the configuration that counts them, as far as it has one.
+const RASTERIZERS: [u32; 4] = [1, 2, 4, 8];
+/// The key of the configuration that counts them.
 const RASTERIZERS_KEY: &str = "rasterizers";
 
 /// Measures every shipped scene; `scan` is the model of scenes/igea.toml.
@@ -31,22 +31,19 @@ pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabErro
 /// The frames of a scene.
 fn scene_figures(path: &str, scan: Option<&Path>) -> Result<Figures, LabError> {
     let mut figures = Figures::new();
-    let Some((scene, plan)) = load_shipped(path, scan)? else { return Ok(figures) };
+    let Some((scene, _)) = load_shipped(path, scan)? else { return Ok(figures) };
     let name = path.rsplit('/').next().unwrap_or(path);
     for count in RASTERIZERS {
         note!("{name}: golden model, {count} rasterizers");
-        for (key, value) in frame_figures(name, &scene, &with_rasterizers(&scene, &plan, count)?)? {
+        for (key, value) in frame_figures(name, &scene, &with_rasterizers(&scene, count)?)? {
             figures.insert(format!("splat.{name}.n{count}.{key}"), value);
         }
     }
     Ok(figures)
 }
 
-/// A plan for so many rasterizers; one is what there is.
-fn with_rasterizers(scene: &Scene, plan: &Plan, count: u32) -> Result<Plan, LabError> {
-    if count == 1 {
-        return Ok(plan.clone());
-    }
+/// A plan for so many rasterizers.
+fn with_rasterizers(scene: &Scene, count: u32) -> Result<Plan, LabError> {
     let mut overrides = scene.overrides.clone();
     overrides.insert(RASTERIZERS_KEY.to_owned(), i64::from(count).into());
     Ok(Plan::with_overrides(scene, &overrides)?)

@@ -10,7 +10,7 @@ use super::bounds::TABLE_SCENES;
 use super::page::{FigurePage, PageLine};
 use super::{SCAN_SCENE, load_shipped};
 use crate::{Figures, LabError, note};
-use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner, copy_tiles};
+use pointcore::splat::{EncodedFrame, Fates, SplatCore, SplatRunner, copy_tiles};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{Reordering, TILE_PIXELS};
 use pointcore_contract::splat::records::pixel_bytes;
@@ -35,6 +35,8 @@ struct Scene {
     core: SplatCore,
     config: Config,
     frame: EncodedFrame,
+    /// Splats that have copies.
+    splats: u64,
     /// The tiles of its copies in the order in which they come.
     tiles: Vec<u32>,
 }
@@ -50,7 +52,12 @@ struct Split {
 impl Split {
     /// The split with a reorder stage of so many levels; none if there is no room for two slots, or for more than the cache has.
     fn new(config: &Config, kb: u64, heap_levels: u32, reorder: Reordering, payload: Payload) -> Option<Self> {
-        let mut config = Config { heap_levels, reorder, ..config.clone() };
+        // A splat has about two copies; in memory there is a place for each.
+        let splat_levels = match payload {
+            Payload::OnChip => heap_levels - 1,
+            Payload::InMemory => heap_levels,
+        };
+        let mut config = Config { heap_levels, splat_levels, reorder, ..config.clone() };
         let left = storage_bits(kb).checked_sub(reorder_bits(&config, payload))?;
         let slots = left / slot_bits(&config);
         config.tile_slots = slots as u32;
@@ -69,7 +76,7 @@ impl Split {
         let pixel_bytes = (buffer.pixels_read + buffer.pixels_written) * u64::from(pixel_bytes(&self.config));
         let payload_bytes = match self.payload {
             Payload::OnChip => 0,
-            Payload::InMemory => 2 * scene.tiles.len() as u64 * payload_bytes(&self.config),
+            Payload::InMemory => (scene.splats + scene.tiles.len() as u64) * payload_bytes(&self.config),
         };
         Ok(Traffic { pixel_bytes, payload_bytes })
     }
@@ -80,7 +87,7 @@ impl Split {
 struct Traffic {
     /// To and from the reconstruction buffer.
     pixel_bytes: u64,
-    /// Of copies that wait in memory, each written and read once.
+    /// Of payloads in memory, written once a splat and read once a copy.
     payload_bytes: u64,
 }
 
@@ -106,7 +113,8 @@ pub fn figures(scan: Option<&Path>, folder: &Path, figures: &mut Figures) -> Res
         let frame = EncodedFrame::new(&scene, &plan);
         let tiles = copy_tiles(&config, &frame);
         let name = path.rsplit('/').next().unwrap_or(path).to_owned();
-        let scene = Scene { name, core, config, frame, tiles };
+        let splats = Fates::of(&config, &frame).drawn;
+        let scene = Scene { name, core, config, frame, splats, tiles };
         for kb in STORAGE_KB {
             note!("graph 1: {}, {kb} kB", scene.name);
             chart(&scene, kb, &mut page, figures)?;
@@ -150,7 +158,7 @@ impl Stage {
         let mut text = format!("{}, {}:", self.order, self.payload.words());
         for (split, traffic) in self.points.iter().flatten() {
             let Config { tile_slots, .. } = split.config;
-            let (copies, share) = (split.config.payloads(), split.share());
+            let (copies, share) = (split.config.pointers(), split.share());
             let key = format!("{key}.{}_{}.{copies}", self.order, self.payload.name());
             figures.insert(format!("{key}.bytes"), traffic.bytes().into());
             figures.insert(format!("{key}.payload_bytes"), traffic.payload_bytes.into());
