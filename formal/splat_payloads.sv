@@ -119,6 +119,11 @@ module proof (input clk);
         clk, rst, out_valid, out_ready, {out_end, {out_tile, out_center_x[1:0]} | {4{out_end}}}
     );
 
+`ifdef STEADY
+    // Nobody waits: a place is used again within the bound.
+    always @* assume (rst || (in_valid && copy_willing && placed_willing && out_ready));
+`endif
+
     // A place is used again, by a splat of several copies of which the last one has not left.
     reg [2:0] splats = 0;
     reg was_end = 0;

@@ -39,8 +39,8 @@ fn tile_caches() -> [Proof; 2] {
     [cache("splat_tile_cache"), Proof { flags: vec!["STEADY"], ..cache("splat_tile_cache_steady") }]
 }
 
-/// Payloads of one splat, in one word and in two, and of two splats.
-fn payloads() -> [Proof; 3] {
+/// Payloads of one splat, in one word and in two, with neighbors of all kinds and with some that never wait, and of two splats.
+fn payloads() -> [Proof; 4] {
     let payloads = |name, splat_levels, payload_beats| {
         let config = Config { splat_levels, payload_beats, tile_slots: 2, ..copies() };
         let sizes = [
@@ -51,7 +51,12 @@ fn payloads() -> [Proof; 3] {
         ];
         Proof::new(name, payloads::module(&config), &sizes)
     };
-    [payloads("splat_payloads", 0, 2), payloads("splat_payloads_word", 0, 1), payloads("splat_payloads_two", 1, 3)]
+    [
+        payloads("splat_payloads", 0, 2),
+        Proof { flags: vec!["STEADY"], ..payloads("splat_payloads_steady", 0, 2) },
+        payloads("splat_payloads_word", 0, 1),
+        payloads("splat_payloads_two", 1, 3),
+    ]
 }
 
 /// Copies that wait by four pointers, with and without a sink that begins late.
