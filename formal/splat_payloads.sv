@@ -120,7 +120,7 @@ module proof (input clk);
     );
 
 `ifdef STEADY
-    // Nobody waits: a place is used again within the bound.
+    // Nobody waits: so more cycles are searched in the same time, and faults are found that take many.
     always @* assume (rst || (in_valid && copy_willing && placed_willing && out_ready));
 `endif
 
