@@ -1,6 +1,6 @@
 // splat_accumulator: a pixel is what its samples make of it, one after the other: none is lost, taken twice, or taken out of order.
 //
-// One pixel of two, in one slot of two, each in a bank of its own, is watched. Samples are such that sums and depth test, which are in the proof as they are,
+// One pixel of two, each in a bank of its own, in one slot of two, is watched. Samples are such that sums and depth test, which are in the proof as they are,
 // count them: one in front of all others begins again at one. Each has the weight and depth of one unit; the ends of its band are zero
 // and zero, or zero and the largest. What samples of other pixels, and fills of them, carry is the same.
 // What the tile cache wants is carried out in cycles that the page names, by what the unit shows of its samples.
@@ -20,7 +20,7 @@ module proof (input clk);
     (* anyseq *) reg change_valid, change_slot;
     (* anyseq *) reg in_place, fill_place, drain_place;
     wire [5:0] in_pixel = in_place, fill_pixel = fill_place, drain_pixel = drain_place;
-    (* anyseq *) reg [1:0] slot_ready, change_any;
+    (* anyseq *) reg [1:0] slot_ready, change_any, change_banks;
     wire [63:0] change_held = change_any;
     wire [15:0] in_weight = 1;
     wire [39:0] in_weighted_depth = 1;
@@ -67,10 +67,9 @@ module proof (input clk);
     end
 
     // What is carried out.
-    wire changes = change_valid && change_slot == slot && !sample_reads[slot];
-    wire fills = fill_valid && fill_slot == slot && fill_pixel == pixel && !write_taken[slot];
-    wire drains = drain_enable && drain_slot == slot && !sample_reads[slot];
-    wire drains_other = drain_enable && drain_slot != slot && !sample_reads[!slot];
+    wire changes = change_valid && change_slot == slot && change_banks[pixel] && !sample_reads[pixel];
+    wire fills = fill_valid && fill_slot == slot && fill_pixel == pixel && !write_taken[pixel];
+    wire drains = drain_enable && !sample_reads[drain_place];
 
     // What the watched pixel must be: what it was filled with, or zero, and its samples; those that come before the fill follow it.
     localparam COUNT_BITS = 5;
@@ -115,8 +114,8 @@ module proof (input clk);
     reg tells = 0, told_written, told_dirty;
     wire shows = drained[1];
     always @(posedge clk) if (!rst) begin
-        drained <= {drained[0], drains && drain_pixel == pixel && whole};
-        any_drained <= {any_drained[0], drains || drains_other};
+        drained <= {drained[0], drains && drain_slot == slot && drain_place == pixel && whole};
+        any_drained <= {any_drained[0], drains};
         tells <= changes && is_known;
         {told_written, told_dirty} <= {written, dirty};
     end
@@ -126,8 +125,8 @@ module proof (input clk);
         as_samples_made_it: assert (!shows || (drained_weight == must && drained_depth == must && drained_attribute_0 == must));
         tells_what_was_held: assert (!tells || {masks_written[pixel], masks_dirty[pixel]} == {told_written, told_dirty});
         // Only samples that came hold up the tile cache.
-        leaves_banks_0: assert (!(sample_reads[0] || sample_writes[0]) || pending[0] != 0);
-        leaves_banks_1: assert (!(sample_reads[1] || sample_writes[1]) || pending[1] != 0);
+        leaves_banks: assert (sample_reads != 3 && sample_writes != 3);
+        waits_for_samples: assert ((sample_reads == 0 && sample_writes == 0) || pending[0] != 0 || pending[1] != 0);
         retires_what_came: assert (!retire_valid || pending[retire_slot] != 0);
         frame_ends_last: assert (!frame_end || (ends != 0));
         nothing_before_the_end: assert (!(frame_end && ends == 1) || !in_order_before);

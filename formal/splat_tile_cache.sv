@@ -29,6 +29,7 @@ module proof (input clk);
     wire [3:0] in_first_sum = any, in_last_sum = any, in_first_difference = any, in_last_difference = any;
     wire in_ready, out_valid, out_end, out_slot, read_valid, data_ready, write_valid, pixel_valid, pixel_end, fill_valid, fill_slot;
     wire change_valid, change_slot, drain_enable, drain_slot;
+    wire [1:0] change_banks;
     wire [63:0] change_held;
     wire [1:0] out_tile, read_tile, write_tile, pixel_tile, slot_ready;
     wire [5:0] read_pixel, write_pixel, pixel_pixel, fill_pixel, drain_pixel;
@@ -80,9 +81,9 @@ module proof (input clk);
     // What is carried out of what the unit wants of the slots.
     reg [1:0] write_taken = 0;
     always @(posedge clk) write_taken <= sample_writes & {2{!rst}};
-    wire changes = change_valid && !sample_reads[change_slot];
-    wire drains = drain_enable && !sample_reads[drain_slot];
-    wire fills = fill_valid && !write_taken[fill_slot];
+    wire [1:0] changes = {2{change_valid}} & change_banks & ~sample_reads;
+    wire drains = drain_enable && !sample_reads[drain_pixel[0]];
+    wire fills = fill_valid && !write_taken[fill_pixel[0]];
 
     // The watched pixel in the slots, in the buffer, and as it must be. A sample may come to any ready slot, and to any place in it.
     (* anyseq *) reg sampled, sampled_slot;
@@ -104,10 +105,16 @@ module proof (input clk);
     wire is_written = write_valid && write_ready && write_tile == tile && write_pixel == pixel;
     always @* assume (sampled_place < 3);
     always @(posedge clk) if (!rst) begin
-        if (changes) begin
-            {told_written, told_dirty} <= {written[change_slot], dirty[change_slot]};
-            written[change_slot] <= {1'b0, places_of(change_held)};
-            dirty[change_slot] <= 0;
+        // The first two places are in one bank, the third in the other.
+        if (changes[0]) begin
+            {told_written[1:0], told_dirty[1:0]} <= {written[change_slot][1:0], dirty[change_slot][1:0]};
+            written[change_slot][1:0] <= {change_held[62], change_held[0]};
+            dirty[change_slot][1:0] <= 0;
+        end
+        if (changes[1]) begin
+            {told_written[2], told_dirty[2]} <= {written[change_slot][2], dirty[change_slot][2]};
+            written[change_slot][2] <= change_held[63];
+            dirty[change_slot][2] <= 0;
         end
         if (is_filled) held[fill_slot] <= fill_value[0];
         if (samples) begin
@@ -214,7 +221,7 @@ module proof (input clk);
     // It goes on: a step is never more than PATIENCE cycles away. Of a frame of tiles that nothing was drawn to nothing shows while their
     // codes pass.
     localparam PATIENCE = 14;
-    wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains || changes
+    wire moves = placed || asks || answers || (write_valid && write_ready) || (pixel_valid && pixel_ready) || fills || drains || changes != 0
         || frame_end || (in_valid && in_ready) || (out_valid && out_ready);
     reg [5:0] stands = 0;
     always @(posedge clk) if (!rst) begin

@@ -30,7 +30,7 @@ pub const PLACED_QUEUE_DEPTH: u32 = 16;
 pub const COPY_QUEUE_DEPTH: u32 = 64;
 /// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
 pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
-/// Memories that the tile slots share: slots take turns in them.
+/// Memories that the tile slots share: pixels beside each other lie in different ones.
 pub const SLOT_BANKS: u32 = 2;
 /// The most pixels of a run: it stays within a row of its tile.
 pub const RUN_PIXELS_MAX: u32 = TILE_SIZE;

@@ -77,11 +77,11 @@ impl Accumulator {
         }
     }
 
-    /// The slot that the sample at the head reads, unless it waits for another sample.
-    fn reads(&self) -> Option<u8> {
-        let place = &self.head.as_ref()?.place;
-        let reads = place.inside && !place.end && self.slot_ready >> place.slot & 1 == 1;
-        reads.then_some(place.slot)
+    /// The bank that the sample at the head may read, unless it waits for its slot.
+    fn reads(&self) -> u32 {
+        let place = self.head.as_ref().map(|sample| &sample.place);
+        let place = place.filter(|place| place.inside && !place.end && self.slot_ready >> place.slot & 1 == 1);
+        place.map_or(0, |place| bank(place.pixel))
     }
 
     /// Whether the sample at the head waits, and for what.
@@ -108,9 +108,10 @@ impl Accumulator {
         Stage { place, retire: last.then_some(Slot { slot }), result }
     }
 
-    /// The slot that the sample in a stage changes, if it does.
-    fn slot_in(stage: Option<&Option<Stage>>) -> Option<u8> {
-        Some(stage?.as_ref()?.place?.slot)
+    /// The bank that the sample in a stage may write.
+    fn writes(stage: Option<&Option<Stage>>) -> u32 {
+        let place = stage.and_then(|stage| stage.as_ref()?.place);
+        place.map_or(0, |place| bank(place.pixel))
     }
 
     /// The pixel with the sample in it; `None` if it does not change.
@@ -163,8 +164,8 @@ impl Model for Accumulator {
             retire: self.retire,
             frame_end: self.frame_end,
             masks: self.masks,
-            sample_writes: Self::slot_in(self.stages.iter().rev().nth(1)).map_or(0, bank),
-            sample_reads: self.reads().map_or(0, bank),
+            sample_writes: Self::writes(self.stages.iter().rev().nth(1)),
+            sample_reads: self.reads(),
             drained: self.drained,
             events: self.events,
         }
@@ -204,18 +205,24 @@ impl Model for Accumulator {
 }
 
 impl Accumulator {
-    /// What the tile cache asks of the slots, as far as samples leave their banks to it: `reads` is the slot that one reads.
-    fn exchange(&mut self, inputs: &In, reads: Option<u8>) {
-        let is_left = |slot: u8, sample: Option<u8>| sample.is_none_or(|sample| bank(sample) != bank(slot));
+    /// What the tile cache asks of the slots, in banks that samples do not read or write.
+    fn exchange(&mut self, inputs: &In, reads: u32) {
         self.drained = self.read;
-        let drain = inputs.drain.filter(|drain| is_left(drain.slot, reads));
+        let drain = inputs.drain.filter(|drain| reads & bank(drain.pixel) == 0);
         self.read = drain.map(|place| DrainedPixel { pixel: place.pixel, value: self.pixels[index(place)] });
-        let writes = Self::slot_in(self.stages.back());
-        if let Some(Fill { place, value }) = inputs.fill.filter(|fill| is_left(fill.place.slot, writes)) {
+        let writes = Self::writes(self.stages.back());
+        if let Some(Fill { place, value }) = inputs.fill.filter(|fill| writes & bank(fill.place.pixel) == 0) {
             self.pixels[index(place)] = value;
         }
-        if let Some(SlotChange { slot, held }) = inputs.change.filter(|change| is_left(change.slot, reads)) {
-            self.masks = std::mem::replace(&mut self.held[usize::from(slot)], SlotMasks { written: held, dirty: 0 });
+        if let Some(SlotChange { slot, banks, held }) = inputs.change {
+            let free = u32::from(banks) & !reads;
+            let changes = (0..TILE_PIXELS as u8).filter(|pixel| free & bank(*pixel) != 0);
+            let changes: u64 = changes.fold(0, |pixels, pixel| pixels | 1 << pixel);
+            let choose = |old: u64, new: u64| old & !changes | new & changes;
+            let slot = &mut self.held[usize::from(slot)];
+            self.masks.written = choose(self.masks.written, slot.written);
+            self.masks.dirty = choose(self.masks.dirty, slot.dirty);
+            *slot = SlotMasks { written: choose(slot.written, held), dirty: choose(slot.dirty, 0) };
         }
     }
 }

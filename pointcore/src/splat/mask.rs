@@ -11,6 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// The field of a record that closes a frame.
 const END: &str = "end";
 
+const BANKS: usize = SLOT_BANKS as usize;
+
 /// Names of a unit's outputs, in the order of the contract.
 #[must_use]
 pub fn outputs(interface: &Interface) -> Vec<String> {
@@ -73,7 +75,7 @@ impl HeldBefore {
 
     /// The model, watched.
     pub fn watch<M: Model<Config = Config, In = In, Out = Out>>(&self, model: M) -> Watched<M> {
-        Watched { model, changed: 0, is_known: false, shows: Arc::clone(&self.shows) }
+        Watched { model, changed: [0; BANKS], is_known: [false; BANKS], shows: Arc::clone(&self.shows) }
     }
 
     /// The mask itself.
@@ -92,10 +94,10 @@ impl HeldBefore {
 #[derive(Clone)]
 pub struct Watched<M> {
     model: M,
-    /// A bit for each slot that had a tile.
-    changed: u64,
+    /// By bank: a bit for each slot that had a tile.
+    changed: [u64; BANKS],
     /// Whether the one that changed last had one before.
-    is_known: bool,
+    is_known: [bool; BANKS],
     shows: Arc<AtomicBool>,
 }
 
@@ -105,15 +107,18 @@ impl<M: Model<Config = Config, In = In, Out = Out>> Model for Watched<M> {
     type Out = Out;
 
     fn outputs(&self) -> Out {
-        self.shows.store(self.is_known, Ordering::Relaxed);
+        self.shows.store(self.is_known.iter().all(|is_known| *is_known), Ordering::Relaxed);
         self.model.outputs()
     }
 
     fn clock(&mut self, inputs: &In) {
         let reads = self.model.outputs().sample_reads;
-        if let Some(change) = inputs.change.filter(|change| reads >> (u32::from(change.slot) % SLOT_BANKS) & 1 == 0) {
-            self.is_known = self.changed >> change.slot & 1 == 1;
-            self.changed |= 1 << change.slot;
+        if let Some(change) = inputs.change {
+            let is_free = |bank: &usize| u32::from(change.banks) & !reads & (1 << bank) != 0;
+            for bank in (0..BANKS).filter(is_free) {
+                self.is_known[bank] = self.changed[bank] >> change.slot & 1 == 1;
+                self.changed[bank] |= 1 << change.slot;
+            }
         }
         self.model.clock(inputs);
     }

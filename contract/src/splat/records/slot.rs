@@ -3,7 +3,7 @@
 use super::{PIXEL_BITS, Pixel};
 use crate::record;
 use crate::splat::Config;
-use crate::splat::config::TILE_PIXELS;
+use crate::splat::config::{SLOT_BANKS, TILE_PIXELS};
 
 /// A slot's number alone.
 #[record(config: Config)]
@@ -49,6 +49,9 @@ pub struct SlotChange {
     /// Slot of the tile cache.
     #[bits(config.slot_bits())]
     pub slot: u8,
+    /// A bit for each bank in which that is to be carried out.
+    #[bits(SLOT_BANKS)]
+    pub banks: u8,
     /// A bit for each pixel that will be filled.
     #[bits(TILE_PIXELS)]
     pub held: u64,

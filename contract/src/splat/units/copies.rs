@@ -93,7 +93,7 @@ pub struct TileCache {
     retire: PulseIn<Slot>,
     /// The accumulator is done with the frame.
     frame_end: Input<bool>,
-    /// A slot gets another tile, until it is carried out.
+    /// A slot gets another tile, until that is carried out in every bank.
     change: PulseOut<SlotChange>,
     /// What the slot that changed last held before.
     masks: Input<SlotMasks>,

@@ -70,7 +70,7 @@ pub struct Accumulator {
     retire: PulseOut<Slot>,
     /// The frame is done with.
     frame_end: Output<bool>,
-    /// A slot gets another tile, until it is carried out.
+    /// A slot gets another tile, until that is carried out in every bank.
     change: PulseIn<SlotChange>,
     /// What the slot that changed last held before.
     masks: Output<SlotMasks>,

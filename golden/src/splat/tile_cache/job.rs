@@ -11,6 +11,8 @@ pub struct Job {
     pub comes: Option<u32>,
     /// The tile that goes.
     pub goes: Option<u32>,
+    /// A bit for each bank in which the slot has not changed.
+    pub unchanged: u32,
     /// How far it has come.
     pub step: JobStep,
 }

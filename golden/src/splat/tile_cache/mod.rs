@@ -64,10 +64,13 @@ pub struct TileCache {
     pixel: Skid<FinishedPixel>,
 }
 
-/// The bit of a slot's bank.
-pub const fn bank(slot: u8) -> u32 {
-    1 << (slot as u32 % SLOT_BANKS)
+/// The bit of a pixel's bank.
+pub const fn bank(pixel: u8) -> u32 {
+    1 << (pixel as u32 % SLOT_BANKS)
 }
+
+/// The bits of all banks.
+const BANKS: u32 = (1 << SLOT_BANKS) - 1;
 
 impl TileCache {
     /// The unit after reset.
@@ -107,8 +110,12 @@ impl TileCache {
     }
 
     fn change(&self) -> Option<SlotChange> {
-        let Job { slot: Slot { slot }, comes, .. } = self.is_at(JobStep::Change)?;
-        Some(SlotChange { slot, held: comes.map_or(0, |tile| self.stored[self.share.place(tile) as usize]) })
+        let Job { slot: Slot { slot }, comes, unchanged, .. } = self.is_at(JobStep::Change)?;
+        Some(SlotChange {
+            slot,
+            banks: unchanged as u8,
+            held: comes.map_or(0, |tile| self.stored[self.share.place(tile) as usize]),
+        })
     }
 
     fn slot_ready(&self) -> u64 {
@@ -134,7 +141,7 @@ impl TileCache {
         let entry = &mut self.slots[usize::from(slot)];
         let goes = entry.resident.then_some(entry.tile);
         *entry = Entry { tile: comes.unwrap_or(entry.tile), resident: comes.is_some(), ..Entry::default() };
-        self.job = Some(Job { slot: Slot { slot }, comes, goes, step: JobStep::Read });
+        self.job = Some(Job { slot: Slot { slot }, comes, goes, unchanged: BANKS, step: JobStep::Read });
         self.follow_turn();
     }
 
@@ -182,13 +189,15 @@ impl TileCache {
     fn clock_job(&mut self, mut job: Job, is_over: bool, inputs: &In) {
         match job.step {
             JobStep::Read => job.step = JobStep::Change,
-            JobStep::Change if inputs.sample_reads & bank(job.slot.slot) == 0 => {
-                if let Some(tile) = job.comes {
-                    self.traffic.want(tile, self.stored[self.share.place(tile) as usize]);
+            JobStep::Change => {
+                job.unchanged &= inputs.sample_reads;
+                if job.unchanged == 0 {
+                    if let Some(tile) = job.comes {
+                        self.traffic.want(tile, self.stored[self.share.place(tile) as usize]);
+                    }
+                    job.step = JobStep::Changed;
                 }
-                job.step = JobStep::Changed;
             }
-            JobStep::Change => {}
             JobStep::Changed => {
                 if let Some(tile) = job.goes {
                     self.stored[self.share.place(tile) as usize] = inputs.masks.written;

@@ -125,22 +125,26 @@ impl Surroundings {
     fn move_slots(&mut self, out: &Out, inputs: &In, sample_writes: u32) {
         let unused = |slot: u8| assert!(out.slot_ready >> slot & 1 == 0, "slot {slot} is in use");
         self.drained = self.read.take();
-        if let Some(SlotPixel { slot, pixel }) = out.drain.filter(|drain| inputs.sample_reads & bank(drain.slot) == 0) {
+        if let Some(SlotPixel { slot, pixel }) = out.drain.filter(|drain| inputs.sample_reads & bank(drain.pixel) == 0)
+        {
             unused(slot);
             self.read = Some(DrainedPixel { pixel, value: self.slots[usize::from(slot)][usize::from(pixel)] });
         }
         if let Some(Fill { place: SlotPixel { slot, pixel }, value }) =
-            out.fill.filter(|fill| sample_writes & bank(fill.place.slot) == 0)
+            out.fill.filter(|fill| sample_writes & bank(fill.place.pixel) == 0)
         {
             unused(slot);
             self.slots[usize::from(slot)][usize::from(pixel)] = value;
         }
-        if let Some(SlotChange { slot, held }) =
-            out.change.filter(|change| inputs.sample_reads & bank(change.slot) == 0)
-        {
+        if let Some(SlotChange { slot, banks, held }) = out.change {
             unused(slot);
-            let after = SlotMasks { written: held, dirty: 0 };
-            self.masks = std::mem::replace(&mut self.held[usize::from(slot)], after);
+            let masks = &mut self.held[usize::from(slot)];
+            let pixels = (0..64).filter(|pixel| u32::from(banks) & !inputs.sample_reads & bank(*pixel) != 0);
+            let changed = pixels.fold(0, |all, pixel| all | 1 << pixel);
+            let new = |old: u64, new: u64| old & !changed | new & changed;
+            self.masks.written = new(self.masks.written, masks.written);
+            self.masks.dirty = new(self.masks.dirty, masks.dirty);
+            *masks = SlotMasks { written: new(masks.written, held), dirty: new(masks.dirty, 0) };
         }
     }
 }

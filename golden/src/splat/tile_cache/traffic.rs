@@ -89,7 +89,7 @@ impl Traffic {
 
     /// Whether a fill that is shown is carried out.
     fn fills(&self) -> bool {
-        self.fill.is_some_and(|fill| self.sample_writes & bank(fill.place.slot) == 0)
+        self.fill.is_some_and(|fill| self.sample_writes & bank(fill.place.pixel) == 0)
     }
 
     /// The place of the pixel that comes from memory next.
@@ -127,7 +127,7 @@ impl Traffic {
         let ends_run = coming.is_some() && self.asked.out().is_some_and(|run| self.came + 1 == run.count);
         let asks = self.wanted.run().filter(|_| self.read.in_ready() && self.asked.in_ready());
         let asks = asks.map(|Run { pixel, count }| PixelRun { tile: self.wanted_tile, pixel, count });
-        let drains = self.drain(aim).is_some_and(|drain| inputs.sample_reads & bank(drain.slot) == 0);
+        let drains = self.drain(aim).is_some_and(|drain| inputs.sample_reads & bank(drain.pixel) == 0);
         let writes = self.write.out().is_some() && inputs.write_ready;
         let placed = |DrainedPixel { pixel, value }| goes.map(|tile| PlacedPixel { tile, pixel, value });
         let drained = inputs.drained.and_then(placed);

@@ -180,7 +180,7 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
         issues: issue.inside,
         read: SlotPixel { slot: place.slot, pixel: place.pixel },
         comes: *next_to_last.inside,
-        coming_slot: *next_to_last.slot,
+        coming_pixel: *next_to_last.pixel,
         ends: *last_stage.inside,
         written: SlotPixel { slot: *last_stage.slot, pixel: *last_stage.pixel },
         changes: *changes,
@@ -194,7 +194,7 @@ pub fn sized(config: &Config, queue_depth: u32, pixels: u32) -> Module {
     let banks = slots::banks(&mut m, config, pixels, &ports, &accesses);
     slots::show_drained(&mut m, config, &ports.drain, reads, &banks);
     let stored = m.reg("stored", pixel_bits);
-    let read = slots::bank(*stages[1].slot).pick(banks);
+    let read = slots::bank(*stages[1].pixel).pick(banks);
     m.next(stored, is_written.repeat(pixel_bits) & read);
 
     let stage_3 = ["sample_1_", "sample_2_", "sample_3_"]

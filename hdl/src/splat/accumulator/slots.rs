@@ -1,14 +1,17 @@
-//! The slots' memories: banks of several slots each, which samples and the tile cache share, and the masks of what counts in a slot.
+//! The slots' memories: banks of some pixels of every slot, which samples and the tile cache share, and the masks of what counts.
 
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{SLOT_BANKS, TILE_PIXELS, index_bits};
-use pointcore_contract::splat::records::{DrainedPixel, Fill, Pixel, SlotChange, SlotMasks, SlotPixel};
+use pointcore_contract::splat::records::{DrainedPixel, Fill, PIXEL_BITS, Pixel, SlotChange, SlotMasks, SlotPixel};
 use pointcore_contract::splat::units::accumulator::PORTS;
 use pointcore_contract::width;
 
 use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, WordPort, held};
 use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Module, bit, cat, lit};
+
+/// Pixels of a tile in a bank.
+const BANK_PIXELS: u32 = TILE_PIXELS / SLOT_BANKS;
 
 /// The ports through which the tile cache reaches the slots.
 pub(super) struct SlotPorts {
@@ -36,9 +39,9 @@ pub(super) struct Accesses {
     pub issues: Expr,
     /// Its place.
     pub read: SlotPixel<Wires>,
-    /// A sample may write in the next cycle, and in which slot.
+    /// A sample may write in the next cycle, and which pixel.
     pub comes: Expr,
-    pub coming_slot: Expr,
+    pub coming_pixel: Expr,
     /// A sample is in the last stage, its place, and whether it changes its pixel.
     pub ends: Expr,
     pub written: SlotPixel<Wires>,
@@ -47,38 +50,42 @@ pub(super) struct Accesses {
     pub result: Expr,
 }
 
-/// The bank of a slot.
-pub(super) fn bank(slot: Expr) -> Expr {
-    slot.trunc(SLOT_BANKS.ilog2())
+/// The bank of a pixel.
+pub(super) fn bank(pixel: Expr) -> Expr {
+    pixel.trunc(SLOT_BANKS.ilog2())
 }
 
 /// Whether that is the one of this number.
-fn is_in(slot: Expr, number: u32) -> Expr {
-    bank(slot).eq_lit(number.into())
+fn is_in(pixel: Expr, number: u32) -> Expr {
+    bank(pixel).eq_lit(number.into())
 }
 
-/// A bit for each bank: that of the slot, if `condition` is set.
-fn bank_bit(condition: Expr, slot: Expr) -> Expr {
-    cat((0..SLOT_BANKS).rev().map(|number| condition & is_in(slot, number)))
-}
-
-/// Which of its bank's slots it is, in a bit at least.
-fn row(slot: Expr) -> Expr {
-    let bank_bits = SLOT_BANKS.ilog2();
-    if slot.width() == bank_bits { lit(1, 0) } else { slot.bits(slot.width() - 1, bank_bits) }
+/// A bit for each bank: that of the pixel, if `condition` is set.
+fn bank_bit(condition: Expr, pixel: Expr) -> Expr {
+    cat((0..SLOT_BANKS).rev().map(|number| condition & is_in(pixel, number)))
 }
 
 /// Where a pixel lies in its bank, of slots of so many pixels.
 fn address(place: SlotPixel<Wires>, pixels: u32) -> Expr {
-    let pixel = place.pixel.trunc(index_bits(pixels));
-    if place.slot.width() == SLOT_BANKS.ilog2() { pixel } else { cat([row(place.slot), pixel]) }
+    let (pixel_bits, bank_bits) = (index_bits(pixels), SLOT_BANKS.ilog2());
+    if pixel_bits == bank_bits { place.slot } else { cat([place.slot, place.pixel.bits(pixel_bits - 1, bank_bits)]) }
+}
+
+/// The bits of a mask that are of one bank's pixels.
+fn half(mask: Expr, number: u32) -> Expr {
+    cat((0..BANK_PIXELS).rev().map(|place| mask.bit(place * SLOT_BANKS + number)))
+}
+
+/// The mask of these bits of each bank's pixels.
+fn whole(halves: &[Expr]) -> Expr {
+    cat((0..BANK_PIXELS).rev().flat_map(|place| halves.iter().rev().map(move |half| half.bit(place))))
 }
 
 /// Shows the tile cache which banks samples leave to it; returns a bit for each bank that one reads.
 pub(super) fn show_precedence(m: &mut Module, accesses: &Accesses) -> Expr {
-    let reads = m.wire("reads_bank", bank_bit(accesses.reads, accesses.read.slot));
+    let reads = m.wire("reads_bank", bank_bit(accesses.reads, accesses.read.pixel));
     PORTS.sample_reads.drive_word(m, reads);
-    let writes = m.wire("will_write_bank", bank_bit(accesses.comes, accesses.coming_slot));
+    let writes = m.wire("will_write_bank", bank_bit(accesses.comes, accesses.coming_pixel));
     PORTS.sample_writes.drive_word(m, writes);
     reads
 }
@@ -86,21 +93,21 @@ pub(super) fn show_precedence(m: &mut Module, accesses: &Accesses) -> Expr {
 /// The banks: a sample's read or write first, the tile cache's in cycles that it leaves free. Returns the register behind each.
 pub(super) fn banks(m: &mut Module, config: &Config, pixels: u32, ports: &SlotPorts, accesses: &Accesses) -> Vec<Expr> {
     let pixel_bits = width::<Pixel>(config);
-    let words = config.tile_slots.div_ceil(SLOT_BANKS) * pixels;
+    let words = config.tile_slots * pixels / SLOT_BANKS;
     let SlotPorts { fill, drain, .. } = ports;
     let Fill { place: filled, value } = fill.record;
     let value = value.pack(config);
     let mut bank = |number: u32| {
         let memory = m.memory_unordered(&format!("bank_{number}_pixels"), words, pixel_bits);
-        let ends = m.wire(&format!("sample_ends_in_{number}"), accesses.ends & is_in(accesses.written.slot, number));
-        let filling = fill.valid & is_in(filled.slot, number);
+        let ends = m.wire(&format!("sample_ends_in_{number}"), accesses.ends & is_in(accesses.written.pixel, number));
+        let filling = fill.valid & is_in(filled.pixel, number);
         let write = m.wire(&format!("writes_{number}"), ends.mux(accesses.changes, filling));
         let written = ends.mux(address(accesses.written, pixels), address(filled, pixels));
         m.write(memory, write, written, ends.mux(accesses.result, value));
 
-        let reads = m.wire(&format!("sample_reads_{number}"), accesses.reads & is_in(accesses.read.slot, number));
+        let reads = m.wire(&format!("sample_reads_{number}"), accesses.reads & is_in(accesses.read.pixel, number));
         let read = reads.mux(address(accesses.read, pixels), address(drain.record, pixels));
-        let draining = drain.valid & is_in(drain.record.slot, number);
+        let draining = drain.valid & is_in(drain.record.pixel, number);
         let read = m.read_if(memory, &format!("bank_{number}_read"), reads | draining, read);
         let pixel = m.reg(&format!("bank_{number}_pixel"), pixel_bits);
         m.next(pixel, read);
@@ -117,18 +124,17 @@ pub(super) fn show_drained(
     reads: Expr,
     banks: &[Expr],
 ) {
-    let SlotPixel { slot, pixel } = drain.record;
-    let meets = (0..SLOT_BANKS).map(|number| is_in(slot, number) & reads.bit(number));
+    let pixel = drain.record.pixel;
+    let meets = (0..SLOT_BANKS).map(|number| is_in(pixel, number) & reads.bit(number));
     let meets = meets.reduce(|all, one| all | one).expect("there are banks");
-    let [mut valid, mut of_bank, mut of_pixel] = [drain.valid & !meets, bank(slot), pixel];
+    let [mut valid, mut of_pixel] = [drain.valid & !meets, pixel];
     for number in 1..=2 {
         let register = m.reg_reset(&format!("drains_{number}"), 1, 0);
         m.next(register, valid);
         valid = register.expr();
-        of_bank = held(m, &format!("drained_bank_{number}"), bit(true), of_bank);
         of_pixel = held(m, &format!("drained_pixel_{number}"), bit(true), of_pixel);
     }
-    let value = m.wire("drained_word", of_bank.pick(banks.iter().copied()));
+    let value = m.wire("drained_word", bank(of_pixel).pick(banks.iter().copied()));
     let drained = DrainedPixel { pixel: of_pixel, value: Pixel::unpack(config, value) };
     PORTS.drained.drive(m, config, valid, drained);
 }
@@ -137,28 +143,25 @@ pub(super) fn show_drained(
 /// anew. Returns whether the head's pixel is written.
 pub(super) fn masks(m: &mut Module, config: &Config, change: &Pulse<SlotChange<Wires>>, accesses: &Accesses) -> Expr {
     let Accesses { reads, issues, read, .. } = *accesses;
-    let SlotChange { slot, held } = change.record;
-    let own = m.wire("pixel_bit", lit(TILE_PIXELS, 1).shl_by(read.pixel));
-    let begun = cat([held, lit(TILE_PIXELS, 0)]);
-    let slots = config.tile_slots.div_ceil(SLOT_BANKS).max(2);
-    let mut carried_out = bit(false);
-    let mut word = |number: u32| {
-        let memory = m.memory_distributed(&format!("bank_{number}_masks"), slots, 2 * TILE_PIXELS);
-        let reads = reads & is_in(read.slot, number);
-        let address = m.wire(&format!("masked_slot_{number}"), reads.mux(row(read.slot), row(slot)));
+    let SlotChange { slot, banks, held: comes } = change.record;
+    let place = read.pixel.bits(PIXEL_BITS - 1, SLOT_BANKS.ilog2());
+    let own = m.wire("pixel_bit", lit(BANK_PIXELS, 1).shl_by(place));
+    let mut bank_masks = |number: u32| {
+        let memory = m.memory_distributed(&format!("bank_{number}_masks"), config.tile_slots, 2 * BANK_PIXELS);
+        let reads = reads & is_in(read.pixel, number);
+        let address = m.wire(&format!("masked_slot_{number}"), reads.mux(read.slot, slot));
         let word = m.read_now(memory, &format!("bank_{number}_mask"), address);
-        let changes = m.wire(&format!("changes_{number}"), (change.valid & is_in(slot, number)) & !reads);
-        carried_out = carried_out | changes;
-        let marks = issues & is_in(read.slot, number);
+        let changes = m.wire(&format!("changes_{number}"), (change.valid & banks.bit(number)) & !reads);
+        let marks = issues & is_in(read.pixel, number);
+        let begun = cat([half(comes, number), lit(BANK_PIXELS, 0)]);
         m.write(memory, marks | changes, address, reads.mux(word | cat([own, own]), begun));
-        word
+        let written = word.bits(2 * BANK_PIXELS - 1, BANK_PIXELS);
+        let before = [("written", written), ("dirty", word.trunc(BANK_PIXELS))];
+        let before = before.map(|(name, half)| held(m, &format!("bank_{number}_was_{name}"), changes, half));
+        (before, written.shr_by(place).bit(0))
     };
-    let words: Vec<_> = (0..SLOT_BANKS).map(&mut word).collect();
-    let before = bank(slot).pick(words.iter().copied());
-    let [written, dirty] = [before.bits(2 * TILE_PIXELS - 1, TILE_PIXELS), before.trunc(TILE_PIXELS)];
-    let before = SlotMasks { written, dirty }.register(m, config, "masks_", carried_out);
-    PORTS.masks.drive(m, config, before);
-    let is_written =
-        words.into_iter().map(|word| word.bits(2 * TILE_PIXELS - 1, TILE_PIXELS).shr_by(read.pixel).bit(0));
-    bank(read.slot).pick(is_written.collect::<Vec<_>>())
+    let (before, is_written): (Vec<_>, Vec<_>) = (0..SLOT_BANKS).map(&mut bank_masks).unzip();
+    let [written, dirty] = [0, 1].map(|which| whole(&before.iter().map(|halves| halves[which]).collect::<Vec<_>>()));
+    PORTS.masks.drive(m, config, SlotMasks { written, dirty });
+    bank(read.pixel).pick(is_written)
 }

@@ -107,7 +107,9 @@ fn sequence(
     m.next_if(state.frame_ended, frame_end | finish, frame_end);
 
     let has_left = state.leaving.is_empty & state.owed.is_zero();
-    let change = m.wire("change", state.changing & !state.is_own_bank(sample_reads));
+    let unchanged = m.wire("still_unchanged", state.unchanged & sample_reads);
+    let change = m.wire("change", state.unchanged.any() & unchanged.is_zero());
+    m.next(state.unchanged, unchanged | state.looking.repeat(SLOT_BANKS));
     let done = m.wire("done", state.moving & (has_left & (state.all_came() & !state.filling)));
     Steps { vacate, pass: waits & !finish, change, done, close, advance, sends }
 }
@@ -116,7 +118,6 @@ fn sequence(
 fn follow_job(m: &mut Module, state: &State, placement: &Placement, steps: &Steps, directory: &Directory, tile: Expr) {
     let start = m.wire("job_starts", placement.start | steps.vacate);
     m.next(state.looking, start);
-    m.next_if(state.changing, state.looking | steps.change, state.looking);
     m.next(state.changed, steps.change);
     m.next_if(state.moving, state.changed | steps.done, state.changed);
     m.next_if(state.slot, start, directory.next_slot());
@@ -178,8 +179,8 @@ pub fn sized(config: &Config, depths: Depths) -> Module {
 
     let placement = place_copy(&mut m, config, &state, &directory, &head, out);
     let held = m.wire("mask_that_comes", state.comes.repeat(TILE_PIXELS) & state.mask);
-    let change = SlotChange { slot: *state.slot, held };
-    PORTS.change.drive(&mut m, config, state.changing, change);
+    let change = SlotChange { slot: *state.slot, banks: *state.unchanged, held };
+    PORTS.change.drive(&mut m, config, state.unchanged.any(), change);
     let sample_reads = PORTS.sample_reads.declare_word(&mut m, SLOT_BANKS);
     let steps = sequence(&mut m, &state, &placement, &directory, [pixel.room, sample_reads]);
     follow_job(&mut m, &state, &placement, &steps, &directory, tile);

@@ -6,9 +6,9 @@ use pointcore_contract::splat::records::{
 };
 use pointcore_contract::splat::units::tile_cache::PORTS;
 
-use super::state::{Mode, State};
+use super::state::{Mode, State, is_in};
 use crate::stream::fifo_distributed;
-use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort, held};
+use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::queue::Pushed;
 use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module, lit};
@@ -33,7 +33,7 @@ fn drain(m: &mut Module, config: &Config, state: &State, sample_reads: Expr) -> 
     let has_room = !state.owed.eq_lit(state.depths.written.into());
     let offers = m.wire("offers_drain", state.moving & (found.any & has_room));
     PORTS.drain.drive(m, config, offers, SlotPixel { slot: *state.slot, pixel: found.pixel });
-    let drains = m.wire("drains", offers & !state.is_own_bank(sample_reads));
+    let drains = m.wire("drains", offers & !is_in(sample_reads, found.pixel));
 
     let queue = fifo_distributed(state.depths.written, &layout::<PlacedPixel>(config));
     let (pixels, write) = Pushed::<PlacedPixel>::place(m, config, "write_queue", queue);
@@ -63,7 +63,8 @@ fn take(
     let place = m.wire("coming_pixel", run.pixel + state.came.zext(PIXEL_BITS));
     let row = run.pixel.bits(PIXEL_BITS - 1, LOCAL_BITS);
     let vacated = state.leaving.is_empty | state.leaving.is_behind(row);
-    let fills = m.wire("fills", state.filling & !state.is_own_bank(*state.taken_banks));
+    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
+    let fills = m.wire("fills", state.filling & !is_in(*state.taken_banks, *fill_pixel));
     let may_fill = m.wire("may_fill", (state.moving & vacated) & (!state.filling | fills));
     let takes = m.wire("takes_data", asked.valid & flush.mux(pixel.room, may_fill));
     m.drive(data.ready, takes);
@@ -75,9 +76,9 @@ fn take(
 
     let fill = beat & !flush;
     m.next(state.filling, fill | (state.filling & !fills));
-    let filled = held(m, "fill_pixel", fill, place);
+    m.next_if(fill_pixel, fill, place);
     let value = data.record.register(m, config, "fill_", fill);
-    let filled = SlotPixel { slot: *state.slot, pixel: filled };
+    let filled = SlotPixel { slot: *state.slot, pixel: *fill_pixel };
     PORTS.fill.drive(m, config, *state.filling, Fill { place: filled, value });
 
     let sent = PlacedPixel { tile: run.tile, pixel: place, value: data.record };

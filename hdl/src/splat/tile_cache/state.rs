@@ -38,7 +38,8 @@ pub(super) struct State {
     /// The job of a slot that loses its tile, step by step: its next tile's mask is read, the slot is told, it shows what it held, and
     /// pixels move.
     pub looking: Reg,
-    pub changing: Reg,
+    /// The banks in which the slot is told.
+    pub unchanged: Reg,
     pub changed: Reg,
     pub moving: Reg,
     pub slot: Reg,
@@ -78,7 +79,7 @@ impl State {
             seen_place: m.reg("seen_place", place_bits),
             mask: m.reg("mask", TILE_PIXELS),
             looking: m.reg_reset("looking", 1, 0),
-            changing: m.reg_reset("changing", 1, 0),
+            unchanged: m.reg_reset("unchanged", SLOT_BANKS, 0),
             changed: m.reg_reset("changed", 1, 0),
             moving: m.reg_reset("moving", 1, 0),
             slot: m.reg("slot", config.slot_bits()),
@@ -103,16 +104,16 @@ impl State {
 
     /// No slot changes its tile.
     pub fn no_job(&self) -> Expr {
-        !((self.looking | self.changing) | (self.changed | self.moving))
+        !((self.looking | self.unchanged.any()) | (self.changed | self.moving))
     }
 
     /// All runs that were wanted were asked for and have come.
     pub fn all_came(&self) -> Expr {
         self.wanted.is_empty & self.awaited.is_zero()
     }
+}
 
-    /// Whether a bank of these is that of the job's slot.
-    pub fn is_own_bank(&self, banks: Expr) -> Expr {
-        banks.shr_by(self.slot.trunc(SLOT_BANKS.ilog2())).bit(0)
-    }
+/// Whether a pixel's bank is one of these.
+pub(super) fn is_in(banks: Expr, pixel: Expr) -> Expr {
+    banks.shr_by(pixel.trunc(SLOT_BANKS.ilog2())).bit(0)
 }
